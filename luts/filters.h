@@ -1,0 +1,60 @@
+// The resampling formulas, once: weights of the closed-form filters, and the sum that turns 16 weights
+// and 16 texels into a value. T is float in the reference kernel, double in the trainer, or any type with
+// arithmetic (a dual number) where derivatives are wanted.
+#pragma once
+
+#include <cmath>
+
+#include "luts/contract.h"
+
+namespace warplut {
+
+// Catmull-Rom is the Keys kernel with a = -1/2.
+inline constexpr double kCatmullRomA = -0.5;
+
+// The four weights of the Keys cubic convolution kernel with parameter a, for the fraction d in [0, 1].
+// They sum to 1; d = 0 gives (0, 1, 0, 0). Source: R. Keys 1981, equation 15 with free a.
+template <class T>
+constexpr std::array<T, kTaps> KeysTaps(T a, T d) {
+  const T e = T(1) - d;
+  // |t| <= 1: (a + 2) t^3 - (a + 3) t^2 + 1; 1 < |t| < 2: a t^3 - 5 a t^2 + 8 a t - 4 a, with t = 1 + d
+  // factored as a d (1 - d)^2, which is exact at both ends.
+  const T outer0 = a * d * e * e;
+  const T outer3 = a * e * d * d;
+  const T inner1 = ((a + T(2)) * d - (a + T(3))) * d * d + T(1);
+  return {outer0, inner1, T(1) - inner1 - outer0 - outer3, outer3};
+}
+
+// The two-tap linear weights, as four taps.
+template <class T>
+constexpr std::array<T, kTaps> BilinearTaps(T d) {
+  return {T(0), T(1) - d, d, T(0)};
+}
+
+// The tensor product of the weights of two axes.
+template <class T>
+constexpr Weights<T> Separable(const std::array<T, kTaps>& x, const std::array<T, kTaps>& y) {
+  Weights<T> w{};
+  for (int k = 0; k < kWeights; ++k) w[k] = y[k / kTaps] * x[k % kTaps];
+  return w;
+}
+
+template <class T>
+constexpr Weights<T> KeysWeights(T a, T dx, T dy) {
+  return Separable(KeysTaps(a, dx), KeysTaps(a, dy));
+}
+
+template <class T>
+constexpr Weights<T> BilinearWeights(T dx, T dy) {
+  return Separable(BilinearTaps(dx), BilinearTaps(dy));
+}
+
+// The sampled value: sum of weight times texel, in the order k = 0..15.
+template <class T, class Texel>
+constexpr Texel ApplyWeights(const Weights<T>& w, const std::array<Texel, kWeights>& texels) {
+  Texel sum = w[0] * texels[0];
+  for (int k = 1; k < kWeights; ++k) sum = sum + w[k] * texels[k];
+  return sum;
+}
+
+}  // namespace warplut

@@ -1,0 +1,64 @@
+// A fit: what a training learned and how. The seam between train/ and the bakers, stored as JSON.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "luts/mlp.h"
+
+namespace warplut {
+
+// One image that was trained on. `sha1` is of the file's bytes.
+struct FitData {
+  std::string name;  // relative to the folder or sequence given, never an absolute path
+  std::string sha1;
+  int width = 0;
+  int height = 0;
+};
+
+// A point of the loss over time.
+struct FitLoss {
+  double seconds = 0;
+  std::int64_t evaluations = 0;  // of the objective
+  double loss = 0;               // training objective
+  double validation = 0;         // the same objective on crops that are not trained on
+};
+
+// A validation score: mean SSIM after `warps` warps.
+struct FitScore {
+  std::string filter;   // "lut", "keys", "catmull-rom"
+  int warps = 0;
+  std::string offsets;  // "half" or "random"
+  double ssim = 0;
+};
+
+struct Fit {
+  static constexpr int kVersion = 1;
+
+  std::string name;                  // identifier: letters, digits, _; first not a digit
+  double scale = 2;                  // output / render, >= 1
+  std::string objective = "warp";
+  std::string optimizer;             // "lbfgs", "adam", "lm"
+  std::vector<int> horizons;         // numbers of warps, ascending, each in [1, 1024]
+  double gain_bound = 0;             // largest |H| asked for, of any node and frequency
+  double keys_a = 0;                 // the best Keys kernel on the same data and loss
+  std::uint64_t seed = 0;
+  std::string options;               // the training's options, as one line of JSON
+  std::vector<double> parameters;    // kMlpParameters finite values
+  std::vector<FitData> data;
+  std::vector<FitLoss> loss;
+  std::vector<FitScore> validation;
+
+  bool IsValid(std::string* why) const;
+};
+
+// Reads and checks a fit. An Error names the file, the field, what was found and what was expected; a fit of another
+// version is refused.
+Fit ReadFit(const std::filesystem::path& path);
+
+// Writes atomically; the same fit gives the same bytes. An Error if it is not valid.
+void WriteFit(const std::filesystem::path& path, const Fit& fit);
+
+}  // namespace warplut
