@@ -13,18 +13,36 @@ namespace warplut {
 // The largest width or height that is read: larger is refused as damaged.
 inline constexpr int kMaxImageSide = 32768;
 
-// Reads any file that OpenImageIO knows. Integer formats are scaled to [0, 1]; nothing is converted between
-// colour spaces, alpha is left as stored. Width, height >= 1, 1 to 4 channels (with `channels` empty) or exactly
-// the named channels in the given order. Errors (one sentence, naming the file): missing, not an image, truncated,
-// side above kMaxImageSide, a channel that is not there, and with `finite` a NaN or infinite value (with its
-// pixel and channel).
+// What a file says of itself; no pixel is read.
+struct ImageInfo {
+  int width = 0;
+  int height = 0;
+  std::vector<std::string> channels;  // names: R, G, B, A, Y, Z, ...
+  int bits = 0;                       // of a stored value, the first channel's
+  bool integer = false;               // unsigned integers, scaled to [0, 1] when read
+
+  bool operator==(const ImageInfo&) const = default;
+};
+
+// Errors as ReadImage, as far as the header shows them. Any number of channels.
+ImageInfo ReadImageInfo(const std::filesystem::path& path);
+
+// Reads any file that OpenImageIO knows. Integer formats are scaled to [0, 1]; nothing is converted
+// between colour spaces, alpha is left as stored. Width, height >= 1, 1 to 4 channels (with
+// `channels` empty) or exactly the named channels in the given order. Errors (one sentence, naming
+// the file): missing, not an image, truncated, side above kMaxImageSide, deep or volume data, a
+// data window that is not the display window, a channel that is not there, and with `finite` a NaN
+// or infinite value (with its pixel and channel).
 Image ReadImage(const std::filesystem::path& path, const std::vector<std::string>& channels = {},
                 bool finite = true);
 
 enum class PixelType : std::uint8_t { kUint8, kUint16, kHalf, kFloat };
 
-// Writes `image` atomically; the format is that of the extension (.png, .exr, ...). Values outside [0, 1] are
-// clamped for integer types, rounded to nearest. `channel_names` may be empty (R, G, B, A / Y).
+// Writes `image` (1 to 4 channels) atomically; the format is that of the extension, .png or .exr.
+// Values outside [0, 1] are clamped for integer types, rounded to nearest. `channel_names` may be
+// empty (Y; Y, A; R, G, B; R, G, B, A). The same image gives the same bytes. An Error names `path`:
+// another extension, a type that the format lacks, NaN for an integer type, a finite value above
+// the largest half for kHalf, or anything that WriteAtomically reports.
 void WriteImage(const std::filesystem::path& path, const Image& image, PixelType type,
                 const std::vector<std::string>& channel_names = {});
 

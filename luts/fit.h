@@ -45,7 +45,7 @@ struct Fit {
   double gain_bound = 0;             // largest |H| asked for, of any node and frequency
   double keys_a = 0;                 // the best Keys kernel on the same data and loss
   std::uint64_t seed = 0;
-  std::string options;               // the training's options, as one line of JSON
+  std::string options;               // the training's options: a JSON object on one line
   std::vector<double> parameters;    // kMlpParameters finite values
   std::vector<FitData> data;
   std::vector<FitLoss> loss;

@@ -1,9 +1,10 @@
 // SSIM of single-channel float images: 11 x 11 Gaussian window of sigma 1.5, valid region, C1 = 0.01^2, C2 = 0.03^2
-// for values in [0, 1]. Source: Wang et al. 2004; window as in Mob-FGSR's evaluation (SPEC: luma, means).
+// for values in [0, 1]. Source: Wang, Bovik, Sheikh, Simoncelli 2004.
 //
 // A pixel of the SSIM map needs the whole window inside the image: the map of a W x H image is (W - 10) x (H - 10).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -11,8 +12,14 @@ namespace warplut {
 
 inline constexpr int kSsimWindow = 11;
 inline constexpr double kSsimSigma = 1.5;
-inline constexpr float kSsimC1 = 0.01f * 0.01f;
-inline constexpr float kSsimC2 = 0.03f * 0.03f;
+inline constexpr double kSsimC1 = 0.01 * 0.01;
+inline constexpr double kSsimC2 = 0.03 * 0.03;
+
+// The largest difference between Ssim and SsimReference for values in [0, 1]: float against double sums.
+inline constexpr double kSsimAccuracy = 2e-6;
+
+// The window in one axis; sums to 1.
+std::array<double, kSsimWindow> SsimTaps();
 
 // A plane of floats: row y starts at data + y * stride, stride in floats, stride >= width.
 struct PlaneView {
@@ -22,29 +29,37 @@ struct PlaneView {
   std::ptrdiff_t stride = 0;
 };
 
-// Mean SSIM of x against y over the valid region; both at least kSsimWindow in each axis and of the same size
-// (not checked). Double precision, direct sums: the slow, obvious version.
+// Mean SSIM of x against y over the valid region; both of one size, at least kSsimWindow in each axis (not checked).
+// Double precision, direct sums: the slow, obvious version.
 double SsimReference(const PlaneView& x, const PlaneView& y);
 
-// Fast SSIM against a fixed reference image, with the gradient. One object serves one thread.
+struct SsimRows;
+
+// Fast SSIM against a fixed reference image, with the gradient. One object serves one thread at a time.
 class Ssim {
  public:
-  // Takes what it needs of y; y need not outlive the call.
+  // Copies what it needs of y.
   explicit Ssim(const PlaneView& y);
 
-  // Mean SSIM of x, of y's size. Accuracy against SsimReference: 2e-6 for values in [0, 1].
+  // Mean SSIM of x, of y's size (not checked). Accuracy: kSsimAccuracy.
   double Mean(const PlaneView& x);
 
-  // The same, and adds scale * d(mean SSIM)/dx to `gradient` (stride in floats).
+  // The same, and adds scale * d(mean SSIM)/dx to `gradient` (row stride in floats, y's size).
   double MeanAndGradient(const PlaneView& x, float scale, float* gradient,
                          std::ptrdiff_t gradient_stride);
 
  private:
+  SsimRows Rows();
+  double MapSize() const;
+
   int width_ = 0;
   int height_ = 0;
-  std::vector<float> mean_y_, var_y_;  // over the valid region
-  std::vector<float> y_;
-  std::vector<float> scratch_;
+  std::ptrdiff_t stride_ = 0;   // of every plane and row below, in floats
+  std::array<float, kSsimWindow> taps_{};
+  std::vector<float> y_;        // y - 1/2, height_ rows
+  std::vector<float> mean_y_;   // window means of y, per pixel of the map
+  std::vector<float> var_y_;    // window variances of y
+  std::vector<float> scratch_;  // rings of rows, see ssim_rows.h
 };
 
 }  // namespace warplut

@@ -1,0 +1,219 @@
+// Frames from files: which file, of which size and channels, converted by datasets/encoding.h.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "datasets/encoding.h"
+#include "datasets/error.h"
+#include "datasets/frame_pattern.h"
+#include "datasets/image_io.h"
+#include "datasets/sequence.h"
+
+namespace warplut {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::pair<Streams, const char*> kStreamNames[] = {
+    {Streams::kColor, "color"},
+    {Streams::kDepth, "depth"},
+    {Streams::kMotion, "motion"},
+    {Streams::kReference, "reference"},
+    {Streams::kReferenceDepth, "reference_depth"},
+    {Streams::kReferenceMotion, "reference_motion"},
+};
+
+// 8 bits of a colour outside [0, 1] are rounding; more is another colour space.
+constexpr float kColorSlack = 1.0F / 512;
+
+// The files of one frame.
+class FrameReader {
+ public:
+  FrameReader(const Sequence& sequence, int number) : sequence_(sequence), number_(number) {}
+
+  Image Color(const ColorStream& stream, GridSize grid) const {
+    const fs::path path = PathOf(stream.path);
+    Check(path, grid, stream.channels, 0, Encoding::kFloat);
+    Image color = ToRgb(ReadImage(path, stream.channels));
+    if (sequence_.color_space == ColorSpace::kSrgb) CheckDisplayRange(path, &color);
+    return color;
+  }
+
+  Image Depth(const DepthStream& stream, GridSize grid) const {
+    const fs::path path = PathOf(stream.path);
+    Check(path, grid, stream.channels, 1, stream.encoding);
+    return DecodeDepth(ReadImage(path, stream.channels, false), stream, path.string());
+  }
+
+  Image Motion(const MotionStream& stream, GridSize grid) const {
+    Image motion(grid.width, grid.height, 2);
+    if (!stream.path.empty()) {
+      const fs::path path = PathOf(stream.path);
+      Check(path, grid, stream.channels, 2, stream.encoding);
+      const Image both = ReadImage(path, stream.channels, false);
+      for (int c = 0; c < 2; ++c) DecodeMotion(Channel(both, c), stream, c, path.string(), &motion);
+      return motion;
+    }
+    for (int c = 0; c < 2; ++c) {
+      const fs::path path = PathOf(c == 0 ? stream.path_x : stream.path_y);
+      std::vector<std::string> channels = stream.channels;
+      if (stream.encoding == Encoding::kFloat && !channels.empty()) {
+        channels = {channels[static_cast<std::size_t>(c)]};
+      }
+      Check(path, grid, channels, 1, stream.encoding);
+      DecodeMotion(ReadImage(path, channels, false), stream, c, path.string(), &motion);
+    }
+    return motion;
+  }
+
+ private:
+  fs::path PathOf(const std::string& pattern) const {
+    return sequence_.folder / FrameFileName(pattern, number_);
+  }
+
+  // Size and channels, before any pixel is read. `components`: numbers that a pixel holds, 0 where
+  // any.
+  static void Check(const fs::path& path, GridSize grid, const std::vector<std::string>& channels,
+                    std::size_t components, Encoding encoding) {
+    const ImageInfo info = ReadImageInfo(path);
+    if (info.width != grid.width || info.height != grid.height) {
+      throw Error(fmt::format("'{}' is {} x {}; expected {} x {} as the sequence says",
+                              path.string(), info.width, info.height, grid.width, grid.height));
+    }
+    const bool packed = encoding == Encoding::kRgba8Base255;
+    if (packed && !(info.integer && info.bits == 8)) {
+      throw Error(fmt::format("'{}' has {}-bit {} values; expected 8-bit integers, as it is packed",
+                              path.string(), info.bits, info.integer ? "integer" : "float"));
+    }
+    const std::size_t expected = packed ? 4 : components;
+    if (channels.empty() && expected != 0 && info.channels.size() != expected) {
+      throw Error(fmt::format("'{}' has {} channels ({}); expected {}, or the field 'channels'",
+                              path.string(), info.channels.size(), fmt::join(info.channels, ", "),
+                              expected));
+    }
+  }
+
+  static Image Channel(const Image& image, int c) {
+    Image one(image.width, image.height, 1);
+    for (std::size_t i = 0; i < one.data.size(); ++i) {
+      one.data[i] =
+          image.data[i * static_cast<std::size_t>(image.channels) + static_cast<std::size_t>(c)];
+    }
+    return one;
+  }
+
+  static Image ToRgb(Image image) {
+    if (image.channels == 3) return image;
+    const bool grey = image.channels <= 2;
+    Image rgb(image.width, image.height, 3);
+    const std::size_t pixels = image.pixels(), step = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      for (std::size_t c = 0; c < 3; ++c)
+        rgb.data[3 * i + c] = image.data[i * step + (grey ? 0 : c)];
+    }
+    return rgb;
+  }
+
+  static void CheckDisplayRange(const fs::path& path, Image* color) {
+    for (std::size_t i = 0; i < color->data.size(); ++i) {
+      float& v = color->data[i];
+      if (!(v >= -kColorSlack && v <= 1 + kColorSlack)) {
+        const std::size_t pixel = i / 3, width = static_cast<std::size_t>(color->width);
+        throw Error(
+            fmt::format("'{}': pixel ({}, {}) has the colour value {}; expected 0 to 1, or "
+                        "color_space \"linear\"",
+                        path.string(), pixel % width, pixel / width, v));
+      }
+      v = std::clamp(v, 0.0F, 1.0F);
+    }
+  }
+
+  const Sequence& sequence_;
+  int number_;
+};
+
+void CheckIndex(const Sequence& s, int index) {
+  if (index < 0 || index >= s.count) {
+    throw Error(fmt::format("the sequence '{}' has no frame at index {}; expected 0 to {}", s.name,
+                            index, s.count - 1));
+  }
+}
+
+}  // namespace
+
+Streams AvailableStreams(const Sequence& s) {
+  Streams set = Streams::kColor;
+  if (s.depth) set = set | Streams::kDepth;
+  if (s.motion) set = set | Streams::kMotion;
+  if (s.reference) set = set | Streams::kReference;
+  if (s.reference_depth) set = set | Streams::kReferenceDepth;
+  if (s.reference_motion) set = set | Streams::kReferenceMotion;
+  return set;
+}
+
+std::vector<std::string> StreamNames(Streams streams) {
+  std::vector<std::string> names;
+  for (const auto& [stream, name] : kStreamNames) {
+    if (Contains(streams, stream)) names.emplace_back(name);
+  }
+  return names;
+}
+
+std::vector<fs::path> FrameFiles(const Sequence& s, int index, Streams which) {
+  CheckIndex(s, index);
+  std::vector<fs::path> files;
+  const auto add = [&](const std::string& pattern) {
+    if (!pattern.empty()) files.push_back(s.folder / FrameFileName(pattern, s.first + index));
+  };
+  const auto add_stream = [&](Streams stream, const auto& described) {
+    if (Contains(which, stream) && described) add(described->path);
+  };
+  const auto add_motion = [&](Streams stream, const std::optional<MotionStream>& described) {
+    add_stream(stream, described);
+    if (!Contains(which, stream) || !described) return;
+    add(described->path_x);
+    add(described->path_y);
+  };
+  if (Contains(which, Streams::kColor)) add(s.color.path);
+  add_stream(Streams::kDepth, s.depth);
+  add_motion(Streams::kMotion, s.motion);
+  add_stream(Streams::kReference, s.reference);
+  add_stream(Streams::kReferenceDepth, s.reference_depth);
+  add_motion(Streams::kReferenceMotion, s.reference_motion);
+  return files;
+}
+
+Frame LoadFrame(const Sequence& s, int index, Streams which) {
+  CheckIndex(s, index);
+  const Streams available = AvailableStreams(s);
+  for (const auto& [stream, name] : kStreamNames) {
+    if (Contains(which, stream) && !Contains(available, stream)) {
+      throw Error(
+          fmt::format("the sequence '{}' has no stream '{}', which is needed here; it has: {}",
+                      s.name, name, fmt::join(StreamNames(available), ", ")));
+    }
+  }
+  Frame frame;
+  frame.number = s.first + index;
+  frame.cut = std::binary_search(s.cuts.begin(), s.cuts.end(), frame.number);
+  const auto i = static_cast<std::size_t>(index);
+  if (!s.jitter.empty()) frame.jitter = s.jitter[i % s.jitter.size()];
+  if (!s.camera.empty()) frame.camera = s.camera[i];
+
+  const FrameReader reader(s, frame.number);
+  const auto wants = [&](Streams stream) { return Contains(which, stream); };
+  if (wants(Streams::kColor)) frame.color = reader.Color(s.color, s.render);
+  if (wants(Streams::kDepth)) frame.depth = reader.Depth(*s.depth, s.render);
+  if (wants(Streams::kMotion)) frame.motion = reader.Motion(*s.motion, s.render);
+  if (wants(Streams::kReference)) frame.reference = reader.Color(*s.reference, s.output);
+  if (wants(Streams::kReferenceDepth))
+    frame.reference_depth = reader.Depth(*s.reference_depth, s.output);
+  if (wants(Streams::kReferenceMotion)) {
+    frame.reference_motion = reader.Motion(*s.reference_motion, s.output);
+  }
+  return frame;
+}
+
+}  // namespace warplut

@@ -1,0 +1,78 @@
+// JSON that people wrote by hand, read without guessing: each field once, none missing, none
+// unknown.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "datasets/error.h"
+
+namespace warplut {
+
+// Parses `text`; an Error names `file` where it is not JSON or an object has a field twice.
+nlohmann::json ParseJson(const std::string& text, const std::string& file);
+
+// Where in a file a value is: "'FILE': field 'a.b'".
+class JsonPlace {
+ public:
+  JsonPlace(std::string file, std::string field)
+      : file_(std::move(file)), field_(std::move(field)) {}
+
+  JsonPlace Field(const std::string& name) const;
+  JsonPlace Element(std::size_t index) const;
+
+  // Throws the Error "FILE: field 'a.b' is FOUND; expected EXPECTED", FOUND shortened.
+  [[noreturn]] void Refuse(const nlohmann::json& found, const std::string& expected) const;
+  // Throws the Error "FILE: field 'a.b' SENTENCE".
+  [[noreturn]] void Fail(const std::string& sentence) const;
+
+  double Number(const nlohmann::json& value) const;  // finite
+  int Integer(const nlohmann::json& value) const;
+  std::string Text(const nlohmann::json& value) const;
+  // An array of `length` values, or of any number if 0.
+  const nlohmann::json& Array(const nlohmann::json& value, std::size_t length = 0) const;
+
+ private:
+  std::string file_;
+  std::string field_;
+};
+
+// One object. Fields are taken by name; Finish refuses those that were not.
+class JsonFields {
+ public:
+  JsonFields(const nlohmann::json& object, JsonPlace place);
+
+  bool Has(const char* name) const { return object_->contains(name); }
+  // An Error says so where it is missing.
+  const nlohmann::json& Take(const char* name);
+  JsonPlace At(const char* name) const { return place_.Field(name); }
+
+  double Number(const char* name) { return At(name).Number(Take(name)); }
+  int Integer(const char* name) { return At(name).Integer(Take(name)); }
+  std::string Text(const char* name) { return At(name).Text(Take(name)); }
+  JsonFields Object(const char* name) { return JsonFields(Take(name), At(name)); }
+
+  // The value of the pair whose name the field holds.
+  template <class Names>
+  auto OneOf(const char* name, const Names& names) {
+    const std::string text = Text(name);
+    std::string expected;
+    for (const auto& [value, value_name] : names) {
+      if (text == value_name) return value;
+      expected += (expected.empty() ? "" : " or ") + std::string(value_name);
+    }
+    At(name).Refuse(text, expected);
+  }
+
+  void Finish() const;
+
+ private:
+  const nlohmann::json* object_;
+  JsonPlace place_;
+  std::set<std::string> taken_;
+};
+
+}  // namespace warplut

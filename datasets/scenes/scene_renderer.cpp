@@ -1,0 +1,226 @@
+#include "datasets/scenes/scene_renderer.h"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "datasets/error.h"
+#include "datasets/scenes/builtin.h"
+#include "datasets/scenes/hash.h"
+#include "datasets/scenes/integrator.h"
+
+namespace warplut {
+namespace {
+
+using scenes::Integrator;
+using scenes::Path;
+using scenes::Vec2d;
+
+// One level finer than the output grid, as FSR 2 advises for its inputs.
+constexpr double kMipBias = -1;
+// Motion below this many pixels is rounding.
+constexpr double kNoMotion = 1e-6;
+constexpr int kSmallest = 8, kLargest = 16384;
+
+int RenderSize(int output, double scale) { return static_cast<int>(std::lround(output / scale)); }
+
+double Halton(int index, int base) {
+  double value = 0, digit = 1;
+  for (; index > 0; index /= base) {
+    digit /= base;
+    value += digit * (index % base);
+  }
+  return value;
+}
+
+// Sample `index` of the (0, 2)-sequence in [0, 1)^2, its digits flipped by the hash of the pixel.
+Vec2d SubPixel(std::uint32_t index, std::uint32_t pixel) {
+  std::uint32_t x = 0, y = 0, bit = 1U << 31, direction = 1U << 31;
+  for (std::uint32_t n = index; n != 0; n >>= 1, bit >>= 1, direction ^= direction >> 1) {
+    if (n & 1) {
+      x ^= bit;
+      y ^= direction;
+    }
+  }
+  return {(x ^ pixel) * 0x1p-32, (y ^ scenes::Hash(pixel)) * 0x1p-32};
+}
+
+std::size_t FindScene(const std::string& name) {
+  std::string names;
+  const auto all = Scenes();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].name == name) return i;
+    names += (i == 0 ? "" : ", ") + std::string(all[i].name);
+  }
+  throw Error("scene \"" + name + "\" does not exist; the built-in scenes are " + names);
+}
+
+const RenderOptions& Checked(const RenderOptions& options) {
+  std::string why;
+  if (!options.IsValid(&why)) throw Error(why);
+  return options;
+}
+
+// Depth and motion of one pixel, in the units of Frame.
+void Store(const Integrator& integrator, const Path& path, const Vec2d& position, bool cut, int x,
+           int y, Image& depth, Image& motion) {
+  depth.at(x, y) = integrator.Depth(path);
+  if (cut) return;
+  const Vec2d size(motion.width, motion.height);
+  const auto previous = integrator.Previous(path);
+  Vec2d m = previous ? (position - *previous).cwiseProduct(size).eval() : (2 * size).eval();
+  if (m.cwiseAbs().maxCoeff() < kNoMotion) m.setZero();
+  motion.at(x, y, 0) = static_cast<float>(m.x());
+  motion.at(x, y, 1) = static_cast<float>(m.y());
+}
+
+void RenderRow(const Integrator& integrator, const RenderOptions& options, int y, Frame& frame) {
+  Image& image = frame.reference;
+  const double width = image.width, height = image.height;
+  for (int x = 0; x < image.width; ++x) {
+    const auto pixel = scenes::Hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                                    static_cast<std::uint32_t>(options.seed));
+    scenes::Rgb sum(0, 0, 0);
+    for (int i = 0; i < options.samples; ++i) {
+      const Vec2d at = Vec2d(x, y) + SubPixel(static_cast<std::uint32_t>(i), pixel);
+      sum += integrator.Colour(integrator.Follow({at.x() / width, at.y() / height}));
+    }
+    sum /= static_cast<float>(options.samples);
+    for (int c = 0; c < 3; ++c) image.at(x, y, c) = sum[c];
+    const Vec2d centre((x + 0.5) / width, (y + 0.5) / height);
+    Store(integrator, integrator.Follow(centre), centre, frame.cut, x, y, frame.reference_depth,
+          frame.reference_motion);
+  }
+}
+
+void RenderInputRow(const Integrator& integrator, int y, Frame& frame) {
+  Image& image = frame.color;
+  for (int x = 0; x < image.width; ++x) {
+    const Vec2d at((x + 0.5 + frame.jitter.x) / image.width,
+                   (y + 0.5 + frame.jitter.y) / image.height);
+    const Path path = integrator.Follow(at);
+    const scenes::Rgb colour = integrator.Colour(path);
+    for (int c = 0; c < 3; ++c) image.at(x, y, c) = colour[c];
+    Store(integrator, path, at, frame.cut, x, y, frame.depth, frame.motion);
+  }
+}
+
+}  // namespace
+
+bool RenderOptions::IsValid(std::string* why) const {
+  const auto fail = [why](const std::string& sentence) {
+    if (why != nullptr) *why = "render options: " + sentence;
+    return false;
+  };
+  const auto range = [](const char* field, auto value, auto low, auto high) {
+    return std::string(field) + " is " + std::to_string(value) + ", expected " +
+           std::to_string(low) + " to " + std::to_string(high);
+  };
+  if (width < kSmallest || width > kLargest)
+    return fail(range("width", width, kSmallest, kLargest));
+  if (height < kSmallest || height > kLargest)
+    return fail(range("height", height, kSmallest, kLargest));
+  if (!(scale >= 1 && scale <= 8)) return fail(range("scale", scale, 1, 8));
+  if (frames < 1 || frames > 100000) return fail(range("frames", frames, 1, 100000));
+  if (samples < 1 || samples > 65536) return fail(range("samples", samples, 1, 65536));
+  if (threads < 0 || threads > 1024) return fail(range("threads", threads, 0, 1024));
+  if (!reference && !inputs)
+    return fail("neither reference nor inputs is wanted, expected at least one");
+  return true;
+}
+
+struct SceneRenderer::State {
+  State(std::size_t scene, const RenderOptions& wanted)
+      : options(wanted), world(scenes::Builders()[scene](wanted.seed)), tracer(world) {}
+
+  int Shot(int frame) const {
+    return static_cast<int>(static_cast<long long>(frame) * world.shots / options.frames);
+  }
+  bool Cut(int frame) const { return frame > 0 && Shot(frame) != Shot(frame - 1); }
+  double Aspect() const { return static_cast<double>(options.width) / options.height; }
+
+  scenes::Lens LensAt(int frame) const {
+    return {world.camera(frame * scenes::kFrameSeconds, Shot(frame)), Aspect(), world.near_plane,
+            world.far_plane};
+  }
+
+  RenderOptions options;
+  scenes::World world;
+  scenes::Tracer tracer;
+};
+
+SceneRenderer::SceneRenderer(const std::string& scene_name, const RenderOptions& options)
+    : state_(std::make_unique<const State>(FindScene(scene_name), Checked(options))) {}
+SceneRenderer::~SceneRenderer() = default;
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+
+const RenderOptions& SceneRenderer::options() const { return state_->options; }
+int SceneRenderer::render_width() const {
+  return RenderSize(state_->options.width, state_->options.scale);
+}
+int SceneRenderer::render_height() const {
+  return RenderSize(state_->options.height, state_->options.scale);
+}
+double SceneRenderer::near_plane() const { return state_->world.near_plane; }
+double SceneRenderer::far_plane() const { return state_->world.far_plane; }
+Camera SceneRenderer::CameraAt(int frame) const { return state_->LensAt(frame).Matrices(); }
+
+std::vector<Vec2> SceneRenderer::Jitter() const {
+  const double scale = state_->options.scale;
+  const int count = static_cast<int>(8 * scale * scale);
+  std::vector<Vec2> offsets;
+  offsets.reserve(count);
+  for (int i = 1; i <= count; ++i) offsets.push_back({Halton(i, 2) - 0.5, Halton(i, 3) - 0.5});
+  return offsets;
+}
+
+std::vector<int> SceneRenderer::Cuts() const {
+  std::vector<int> cuts;
+  for (int f = 1; f < state_->options.frames; ++f) {
+    if (state_->Cut(f)) cuts.push_back(f);
+  }
+  return cuts;
+}
+
+Frame SceneRenderer::Render(int index) const {
+  const RenderOptions& options = state_->options;
+  if (index < 0 || index >= options.frames) {
+    throw Error("frame index is " + std::to_string(index) + ", expected 0 to " +
+                std::to_string(options.frames - 1));
+  }
+  Frame frame;
+  frame.number = index;
+  frame.cut = state_->Cut(index);
+  const auto jitter = Jitter();
+  frame.jitter = jitter[index % jitter.size()];
+  const scenes::Lens lens = state_->LensAt(index);
+  frame.camera = lens.Matrices();
+  const double footprint = lens.PixelAngle(options.height) * std::exp2(kMipBias);
+  const Integrator integrator(state_->world, state_->tracer, index * scenes::kFrameSeconds,
+                              state_->Shot(index), state_->Aspect(), footprint);
+  if (options.reference) {
+    frame.reference = Image(options.width, options.height, 3);
+    frame.reference_depth = Image(options.width, options.height, 1);
+    frame.reference_motion = Image(options.width, options.height, 2);
+  }
+  if (options.inputs) {
+    frame.color = Image(render_width(), render_height(), 3);
+    frame.depth = Image(render_width(), render_height(), 1);
+    frame.motion = Image(render_width(), render_height(), 2);
+  }
+  namespace tbb = oneapi::tbb;
+  const int cores = tbb::info::default_concurrency();
+  tbb::task_arena arena(options.threads == 0 ? cores : std::min(options.threads, cores));
+  arena.execute([&] {
+    tbb::parallel_for(0, frame.reference.height,
+                      [&](int y) { RenderRow(integrator, options, y, frame); });
+    tbb::parallel_for(0, frame.color.height, [&](int y) { RenderInputRow(integrator, y, frame); });
+  });
+  return frame;
+}
+
+}  // namespace warplut

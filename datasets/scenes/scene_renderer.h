@@ -1,0 +1,85 @@
+// The built-in scenes, ray traced: frames with an exact reference, depth, motion and jitter, for
+// any size and upscale factor. Nothing is read from disk.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "datasets/frame.h"
+
+namespace warplut {
+
+struct SceneInfo {
+  std::string_view name;
+  std::string_view purpose;
+  bool training = true;  // false: held out, for tests of what was trained on the others
+};
+
+// All built-in scenes, in a fixed order.
+std::span<const SceneInfo> Scenes();
+
+struct RenderOptions {
+  int width = 960;  // of the output grid
+  int height = 540;
+  double scale = 2;        // output / render, 1 to 8; the render grid is rounded to whole pixels
+  int frames = 12;         // at 30 per second; a scene with camera cuts spreads its takes over them
+  int samples = 16;        // per pixel of the reference
+  std::uint64_t seed = 1;  // varies placement, textures and sample positions
+  int threads = 0;         // at most; 0: one per core. The pixels do not depend on it
+  bool reference = true;   // the streams of the output grid
+  bool inputs = true;      // the streams of the render grid
+
+  // On false, *why (may be null) is a sentence that names the field.
+  bool IsValid(std::string* why) const;
+};
+
+// Renders the frames of one scene.
+//
+//   reference         mean of `samples` samples in a box one pixel wide, each tone-mapped to
+//   display values
+//                     before the mean, as a resolved temporally antialiased frame is.
+//   color             one such sample per pixel, at (i + 0.5 + x, j + 0.5 + y) of the render grid,
+//   (x, y) the
+//                     jitter. Textures are as detailed as on the output grid (mip bias).
+//   depth, motion     render grid: of the same sample as color; output grid: at the pixel centre.
+//   depth             view depth over the far plane; of the mirror's surface where a mirror is
+//   seen; sky 1. motion            exact to float rounding, also for the sky and for what a mirror
+//   shows (one bounce). Frame 0
+//                     has the motion since time -1/30 s, at which every scene is defined. 0 at a
+//                     cut. What was behind the previous camera gets (2 width, 2 height): a previous
+//                     position outside the image.
+class SceneRenderer {
+ public:
+  // Throws Error when no scene has this name (the sentence lists those that exist) or the options
+  // are invalid.
+  SceneRenderer(const std::string& scene_name, const RenderOptions& options);
+  ~SceneRenderer();
+  SceneRenderer(SceneRenderer&&) noexcept;
+  SceneRenderer& operator=(SceneRenderer&&) noexcept;
+
+  // Frame `index`, 0 <= index < frames, else throws Error. Frames are independent: any order, any
+  // thread.
+  Frame Render(int index) const;
+
+  const RenderOptions& options() const;
+  int render_width() const;
+  int render_height() const;
+  // One jitter cycle, in pixels of the render grid: Halton (2, 3) minus 1/2, floor(8 scale^2)
+  // offsets, the rule of FSR 2. Frame f uses offset f modulo the length.
+  std::vector<Vec2> Jitter() const;
+  // Frames that share nothing with the one before.
+  std::vector<int> Cuts() const;
+  Camera CameraAt(int frame) const;
+  double near_plane() const;  // scene units
+  double far_plane() const;
+
+ private:
+  struct State;
+  std::unique_ptr<const State> state_;
+};
+
+}  // namespace warplut

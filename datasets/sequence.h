@@ -1,0 +1,86 @@
+// A sequence on disk: its manifest, sequence.json version 1, and its frames. docs/FORMATS.md is the
+// users' page.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "datasets/frame.h"
+#include "datasets/stream.h"
+
+namespace warplut {
+
+struct GridSize {
+  int width = 0;
+  int height = 0;
+  bool operator==(const GridSize&) const = default;
+};
+
+enum class ColorSpace : std::uint8_t { kSrgb, kLinear };
+
+// The manifest, as plain values. color, depth and motion are on the render grid, reference* on the
+// output grid.
+struct Sequence {
+  static constexpr int kVersion = 1;
+  static constexpr const char* kFormat = "warplut-sequence";
+  static constexpr const char* kManifest = "sequence.json";
+  static constexpr double kMinScale = 1, kMaxScale = 4;  // output / render, in each axis
+  static constexpr int kMaxFrames = 1'000'000;
+  static constexpr double kMaxJitter = 1;  // render pixels, in each axis
+
+  std::filesystem::path folder;  // what the streams' paths are relative to; not stored
+  std::string name;              // not empty, no '/' and no control characters
+  int first = 0;                 // number of frame index 0
+  int count = 0;
+  GridSize render;
+  GridSize output;
+  ColorSpace color_space = ColorSpace::kSrgb;
+
+  ColorStream color;
+  std::optional<DepthStream> depth;
+  std::optional<MotionStream> motion;
+  std::optional<ColorStream> reference;
+  std::optional<DepthStream> reference_depth;
+  std::optional<MotionStream> reference_motion;
+
+  std::vector<Vec2> jitter;    // of frame index i: [i % size], render pixels, y down; empty: none
+  std::vector<Camera> camera;  // one for each frame, or empty
+  std::vector<int> cuts;       // frame numbers, ascending, each once
+
+  // Whether every value is in its range; if not and `why` is given, *why names the field, what it
+  // is and what was expected.
+  bool IsValid(std::string* why = nullptr) const;
+};
+
+// The streams that the manifest names, and their names in it ("color", "depth", ...).
+Streams AvailableStreams(const Sequence& sequence);
+std::vector<std::string> StreamNames(Streams streams);
+
+// The files of these streams of the frame at `index` (0 to count - 1): absolute or relative as
+// `folder` is. Streams that the manifest does not name have none.
+std::vector<std::filesystem::path> FrameFiles(const Sequence& sequence, int index, Streams which);
+
+// Reads `path`, a manifest or the folder of a sequence.json, and checks all of it. The files of the
+// streams are not opened. An Error names the manifest, the field, what was found and what was
+// expected; unknown and repeated fields are refused.
+Sequence ReadSequence(const std::filesystem::path& path);
+
+// The manifest as text: what ReadSequence reads back to the same values. A pure function. Error if
+// not valid.
+std::string SequenceJson(const Sequence& sequence);
+
+// Reads the streams `which` of the frame at `index` (0 to count - 1), converted to the convention
+// of datasets/frame.h as datasets/encoding.h describes; only their files are opened. Grey colour is
+// copied to R, G and B; alpha is dropped. Number, cut, jitter and camera are always set. Frame 0 is
+// a cut only where the manifest says so.
+//
+// Error, naming the file or the stream and the sequence: index out of range, a stream that the
+// manifest lacks, a missing or damaged file, a file of another size or with other channels, a NaN,
+// an infinite value (but in depth, where +infinity is background), a negative depth, and a colour
+// outside [0, 1] unless the sequence is linear. Threads may load frames of one sequence at the same
+// time.
+Frame LoadFrame(const Sequence& sequence, int index, Streams which);
+
+}  // namespace warplut

@@ -1,0 +1,318 @@
+// sequence.json: Sequence from and to text.
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "datasets/error.h"
+#include "datasets/file.h"
+#include "datasets/json_fields.h"
+#include "datasets/sequence.h"
+
+namespace warplut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+template <class T, std::size_t n>
+using Names = std::array<std::pair<T, const char*>, n>;
+
+constexpr Names<ColorSpace, 2> kColorSpaces{
+    {{ColorSpace::kSrgb, "srgb"}, {ColorSpace::kLinear, "linear"}}};
+constexpr Names<Encoding, 2> kEncodings{
+    {{Encoding::kFloat, "float"}, {Encoding::kRgba8Base255, "rgba8-base255"}}};
+constexpr Names<DepthKind, 3> kDepthKinds{{{DepthKind::kLinear, "linear"},
+                                           {DepthKind::kForward, "forward"},
+                                           {DepthKind::kReversed, "reversed"}}};
+constexpr Names<MotionUnits, 3> kMotionUnits{
+    {{MotionUnits::kPixels, "pixels"}, {MotionUnits::kUv, "uv"}, {MotionUnits::kNdc, "ndc"}}};
+constexpr Names<MotionDirection, 2> kDirections{
+    {{MotionDirection::kPreviousToCurrent, "previous-to-current"},
+     {MotionDirection::kCurrentToPrevious, "current-to-previous"}}};
+constexpr Names<YAxis, 2> kYAxes{{{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
+
+constexpr const char* kRenderGrid = "render";
+constexpr const char* kOutputGrid = "output";
+constexpr const char* kJitterUnits = "render-pixels";
+
+template <class T, std::size_t n>
+const char* NameOf(const Names<T, n>& names, T value) {
+  for (const auto& [v, name] : names) {
+    if (v == value) return name;
+  }
+  return "";
+}
+
+// A field of which version 1 knows one value.
+void TakeFixed(JsonFields& fields, const char* name, const char* value) {
+  const std::string found = fields.Text(name);
+  if (found != value) fields.At(name).Refuse(found, fmt::format("\"{}\"", value));
+}
+
+GridSize TakeGrid(JsonFields& root, const char* name) {
+  JsonFields fields = root.Object(name);
+  const GridSize size{fields.Integer("width"), fields.Integer("height")};
+  fields.Finish();
+  return size;
+}
+
+std::vector<std::string> TakeChannels(JsonFields& fields) {
+  std::vector<std::string> channels;
+  if (!fields.Has("channels")) return channels;
+  const auto& names = fields.At("channels").Array(fields.Take("channels"));
+  if (names.empty()) fields.At("channels").Fail("has no names; expected some, or no such field");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    channels.push_back(fields.At("channels").Element(i).Text(names[i]));
+  }
+  return channels;
+}
+
+Encoding TakeEncoding(JsonFields& fields) {
+  return fields.Has("encoding") ? fields.OneOf("encoding", kEncodings) : Encoding::kFloat;
+}
+
+// A number, or one for each of x and y.
+std::array<double, 2> TakePair(JsonFields& fields, const char* name, double otherwise) {
+  if (!fields.Has(name)) return {otherwise, otherwise};
+  const auto& value = fields.Take(name);
+  if (value.is_number()) return {fields.Number(name), fields.Number(name)};
+  const JsonPlace at = fields.At(name);
+  at.Array(value, 2);
+  return {at.Element(0).Number(value[0]), at.Element(1).Number(value[1])};
+}
+
+ColorStream TakeColor(JsonFields fields, const char* grid) {
+  ColorStream stream;
+  stream.path = fields.Text("path");
+  TakeFixed(fields, "grid", grid);
+  stream.channels = TakeChannels(fields);
+  fields.Finish();
+  return stream;
+}
+
+DepthStream TakeDepth(JsonFields fields, const char* grid) {
+  DepthStream stream;
+  stream.path = fields.Text("path");
+  TakeFixed(fields, "grid", grid);
+  stream.channels = TakeChannels(fields);
+  stream.encoding = TakeEncoding(fields);
+  if (fields.Has("scale")) stream.scale = fields.Number("scale");
+  if (fields.Has("bias")) stream.bias = fields.Number("bias");
+  stream.kind = fields.OneOf("kind", kDepthKinds);
+  stream.near = fields.Number("near");
+  stream.far =
+      fields.Take("far").is_null() ? std::numeric_limits<double>::infinity() : fields.Number("far");
+  fields.Finish();
+  return stream;
+}
+
+MotionStream TakeMotion(JsonFields fields, const char* grid) {
+  MotionStream stream;
+  if (fields.Has("path_x") || fields.Has("path_y")) {
+    stream.path_x = fields.Text("path_x");
+    stream.path_y = fields.Text("path_y");
+    if (fields.Has("path")) stream.path = fields.Text("path");
+  } else {
+    stream.path = fields.Text("path");
+  }
+  TakeFixed(fields, "grid", grid);
+  stream.channels = TakeChannels(fields);
+  stream.encoding = TakeEncoding(fields);
+  stream.scale = TakePair(fields, "scale", 1);
+  stream.bias = TakePair(fields, "bias", 0);
+  stream.units = fields.OneOf("units", kMotionUnits);
+  stream.direction = fields.OneOf("direction", kDirections);
+  stream.y = fields.OneOf("y", kYAxes);
+  fields.Finish();
+  return stream;
+}
+
+void TakeStreams(JsonFields fields, Sequence* s) {
+  s->color = TakeColor(fields.Object("color"), kRenderGrid);
+  if (fields.Has("depth")) s->depth = TakeDepth(fields.Object("depth"), kRenderGrid);
+  if (fields.Has("motion")) s->motion = TakeMotion(fields.Object("motion"), kRenderGrid);
+  if (fields.Has("reference")) s->reference = TakeColor(fields.Object("reference"), kOutputGrid);
+  if (fields.Has("reference_depth")) {
+    s->reference_depth = TakeDepth(fields.Object("reference_depth"), kOutputGrid);
+  }
+  if (fields.Has("reference_motion")) {
+    s->reference_motion = TakeMotion(fields.Object("reference_motion"), kOutputGrid);
+  }
+  fields.Finish();
+}
+
+std::vector<Vec2> TakeJitter(JsonFields fields) {
+  TakeFixed(fields, "units", kJitterUnits);
+  const double sign = fields.OneOf("y", kYAxes) == YAxis::kDown ? 1 : -1;
+  const JsonPlace at = fields.At("offsets");
+  const auto& offsets = at.Array(fields.Take("offsets"));
+  if (offsets.empty()) at.Fail("has no values; expected at least one, or no field 'jitter'");
+  std::vector<Vec2> jitter;
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    const JsonPlace here = at.Element(i);
+    const auto& offset = here.Array(offsets[i], 2);
+    jitter.push_back({here.Number(offset[0]), sign * here.Number(offset[1])});
+  }
+  fields.Finish();
+  return jitter;
+}
+
+std::array<double, 16> TakeMatrix(JsonFields& fields, const char* name) {
+  std::array<double, 16> matrix;
+  const auto& values = fields.At(name).Array(fields.Take(name), matrix.size());
+  for (std::size_t i = 0; i < matrix.size(); ++i)
+    matrix[i] = fields.At(name).Element(i).Number(values[i]);
+  return matrix;
+}
+
+std::vector<Camera> TakeCamera(const nlohmann::json& value, const JsonPlace& at) {
+  std::vector<Camera> cameras;
+  for (const auto& element : at.Array(value)) {
+    JsonFields fields(element, at.Element(cameras.size()));
+    cameras.push_back({TakeMatrix(fields, "view"), TakeMatrix(fields, "projection")});
+    fields.Finish();
+  }
+  return cameras;
+}
+
+Json Channels(const std::vector<std::string>& channels, Json stream) {
+  if (!channels.empty()) stream["channels"] = channels;
+  return stream;
+}
+
+// `base` with encoding, scale and bias where they are not what a reader takes without them.
+template <class Stream>
+Json Encoded(const Stream& s, Json base) {
+  const Stream otherwise;
+  Json json = Channels(s.channels, std::move(base));
+  if (s.encoding != otherwise.encoding) json["encoding"] = NameOf(kEncodings, s.encoding);
+  if (s.scale != otherwise.scale) json["scale"] = s.scale;
+  if (s.bias != otherwise.bias) json["bias"] = s.bias;
+  return json;
+}
+
+Json ToJson(const ColorStream& s, const char* grid) {
+  return Channels(s.channels, {{"path", s.path}, {"grid", grid}});
+}
+
+Json ToJson(const DepthStream& s, const char* grid) {
+  Json json = Encoded(s, {{"path", s.path}, {"grid", grid}});
+  json["kind"] = NameOf(kDepthKinds, s.kind);
+  json["near"] = s.near;
+  json["far"] = s.far;  // infinity becomes null
+  return json;
+}
+
+Json ToJson(const MotionStream& s, const char* grid) {
+  Json json =
+      s.path.empty() ? Json{{"path_x", s.path_x}, {"path_y", s.path_y}} : Json{{"path", s.path}};
+  json["grid"] = grid;
+  json = Encoded(s, std::move(json));
+  json["units"] = NameOf(kMotionUnits, s.units);
+  json["direction"] = NameOf(kDirections, s.direction);
+  json["y"] = NameOf(kYAxes, s.y);
+  return json;
+}
+
+// The elements of `json`, one on a line, so that a person can read a camera or a stream at a
+// glance.
+std::string Lines(const Json& json) {
+  const bool object = json.is_object();
+  std::string lines = object ? "{" : "[";
+  const char* separator = "\n  ";
+  for (const auto& [name, value] : json.items()) {
+    lines += separator + (object ? Json(name).dump() + ": " : "") + value.dump();
+    separator = ",\n  ";
+  }
+  return lines + (object ? "}" : "]");
+}
+
+Json StreamsJson(const Sequence& s) {
+  Json streams;
+  streams["color"] = ToJson(s.color, kRenderGrid);
+  if (s.depth) streams["depth"] = ToJson(*s.depth, kRenderGrid);
+  if (s.motion) streams["motion"] = ToJson(*s.motion, kRenderGrid);
+  if (s.reference) streams["reference"] = ToJson(*s.reference, kOutputGrid);
+  if (s.reference_depth) streams["reference_depth"] = ToJson(*s.reference_depth, kOutputGrid);
+  if (s.reference_motion) streams["reference_motion"] = ToJson(*s.reference_motion, kOutputGrid);
+  return streams;
+}
+
+}  // namespace
+
+Sequence ReadSequence(const std::filesystem::path& path) {
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
+  const auto manifest = std::filesystem::is_directory(path) ? path / Sequence::kManifest : path;
+  const std::string file = manifest.string();
+  const nlohmann::json json = ParseJson(ReadFile(manifest, kMaxBytes), file);
+
+  JsonFields root(json, JsonPlace(file, ""));
+  TakeFixed(root, "format", Sequence::kFormat);
+  if (const int version = root.Integer("version"); version != Sequence::kVersion) {
+    root.At("version").Refuse(version, std::to_string(Sequence::kVersion));
+  }
+  Sequence s;
+  s.folder = manifest.parent_path();
+  s.name = root.Text("name");
+  JsonFields frames = root.Object("frames");
+  s.first = frames.Integer("first");
+  s.count = frames.Integer("count");
+  frames.Finish();
+  s.render = TakeGrid(root, "render");
+  s.output = TakeGrid(root, "output");
+  s.color_space = root.OneOf("color_space", kColorSpaces);
+  TakeStreams(root.Object("streams"), &s);
+  if (root.Has("jitter")) s.jitter = TakeJitter(root.Object("jitter"));
+  if (root.Has("camera")) {
+    s.camera = TakeCamera(root.Take("camera"), root.At("camera"));
+    if (s.camera.empty())
+      root.At("camera").Fail("has no values; expected one for each frame, or no such field");
+  }
+  if (root.Has("cuts")) {
+    for (const auto& cut : root.At("cuts").Array(root.Take("cuts"))) {
+      s.cuts.push_back(root.At("cuts").Element(s.cuts.size()).Integer(cut));
+    }
+  }
+  root.Finish();
+  if (std::string why; !s.IsValid(&why)) throw Error(fmt::format("'{}': {}", file, why));
+  return s;
+}
+
+std::string SequenceJson(const Sequence& s) {
+  if (std::string why; !s.IsValid(&why)) {
+    throw Error(fmt::format("the sequence '{}' cannot be written: {}", s.name, why));
+  }
+  std::string text = "{";
+  const char* separator = "\n ";
+  const auto add = [&](const char* field, const std::string& value) {
+    text += fmt::format("{}\"{}\": {}", separator, field, value);
+    separator = ",\n ";
+  };
+  const auto size = [](GridSize g) {
+    return Json{{"width", g.width}, {"height", g.height}}.dump();
+  };
+  add("format", Json(Sequence::kFormat).dump());
+  add("version", std::to_string(Sequence::kVersion));
+  add("name", Json(s.name).dump());
+  add("frames", Json{{"first", s.first}, {"count", s.count}}.dump());
+  add("render", size(s.render));
+  add("output", size(s.output));
+  add("color_space", Json(NameOf(kColorSpaces, s.color_space)).dump());
+  add("streams", Lines(StreamsJson(s)));
+  if (!s.jitter.empty()) {
+    Json offsets = Json::array();
+    for (const Vec2& v : s.jitter) offsets.push_back({v.x, v.y});
+    add("jitter",
+        Lines(
+            {{"units", kJitterUnits}, {"y", NameOf(kYAxes, YAxis::kDown)}, {"offsets", offsets}}));
+  }
+  if (!s.camera.empty()) {
+    Json cameras = Json::array();
+    for (const Camera& c : s.camera)
+      cameras.push_back({{"view", c.view}, {"projection", c.projection}});
+    add("camera", Lines(cameras));
+  }
+  add("cuts", Json(s.cuts).dump());
+  return text + "\n}\n";
+}
+
+}  // namespace warplut

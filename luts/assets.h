@@ -1,0 +1,14 @@
+// The tables that ship: a fit in luts/fits/NAME.json and what is baked from it in
+// luts/baked/NAME.{h,json,exr}.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace warplut {
+
+// One per upscale factor: 1.3, 1.5, 1.7, 2, 3, 4.
+inline constexpr std::array<std::string_view, 6> kAssets = {
+    "warplut_x1_3", "warplut_x1_5", "warplut_x1_7", "warplut_x2", "warplut_x3", "warplut_x4"};
+
+}  // namespace warplut

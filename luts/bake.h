@@ -1,0 +1,38 @@
+// Baking: fit -> the files that a renderer compiles, uploads or reads.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "luts/certificate.h"
+#include "luts/fit.h"
+
+namespace warplut {
+
+struct BakeOptions {
+  TableFormat format = TableFormat::kI16;  // of header and JSON; the EXR is always float
+  double blend = kDefaultBlend;            // of the certificate, in [0, 1]
+
+  bool IsValid(std::string* why) const;
+};
+
+// The bytes of the files NAME.h, NAME.json and NAME.exr, with NAME that of the fit.
+struct BakedFiles {
+  std::string name;
+  std::string header;  // C++20; includes luts/contract.h only
+  std::string json;    // "warplut-table"; docs/FORMATS.md
+  std::string exr;     // the released layout (released_layout.h)
+};
+
+// A pure function: the same fit and options give the same bytes. An Error names the field of the
+// fit or option that is not valid, or the node and weight that the format cannot hold.
+BakedFiles Bake(const Fit& fit, const BakeOptions& options = {});
+
+// Writes the three files into an existing folder, each atomically.
+void WriteBaked(const std::filesystem::path& folder, const BakedFiles& files);
+
+// The name of the TableView in the header, in namespace warplut::baked: k, then the fit's name in
+// camel case, with _ kept between digits (warplut_x1_3 -> kWarplutX1_3).
+std::string BakedConstant(const std::string& name);
+
+}  // namespace warplut

@@ -1,0 +1,129 @@
+#include "luts/baked_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "datasets/error.h"
+#include "luts/real_table.h"
+#include "runtime/half.h"
+
+namespace warplut {
+namespace {
+
+template <class T, class Encode>
+std::vector<T> Stored(const std::vector<IntegerRow>& rows, const Encode& encode) {
+  std::vector<T> stored;
+  stored.reserve(kTableValues);
+  for (const IntegerRow& row : rows) {
+    for (const std::int32_t q : row) stored.push_back(encode(q));
+  }
+  return stored;
+}
+
+// Where in the table value `index` is, for error sentences.
+std::string Place(const std::string& name, int index) {
+  const int row = index / kWeights;
+  return fmt::format("{}: weight {} of node ({}, {})", name, index % kWeights, row % kNodes,
+                     row / kNodes);
+}
+
+float Unit(TableFormat format) { return std::ldexp(1.0f, -FractionBits(format)); }
+
+std::int32_t IntegerOfFloat(float weight, TableFormat format, const std::string& name, int index) {
+  const float q = weight / Unit(format);
+  if (!(std::abs(weight) <= 2) || q != std::floor(q) ||
+      !CanStore(format, static_cast<std::int32_t>(q))) {
+    throw Error(fmt::format("{} is {}, expected a multiple of 2^-{} in [-2, 2), as {} stores it",
+                            Place(name, index), weight, FractionBits(format), Name(format)));
+  }
+  return static_cast<std::int32_t>(q);
+}
+
+std::int32_t IntegerAt(const TableView& view, const std::string& name, int index) {
+  switch (view.format) {
+    case TableFormat::kI16:
+      return static_cast<const std::int16_t*>(view.data)[index];
+    case TableFormat::kI8:
+      return static_cast<const std::int8_t*>(view.data)[index];
+    case TableFormat::kF16: {
+      const float weight = HalfToFloat(static_cast<const std::uint16_t*>(view.data)[index]);
+      return IntegerOfFloat(weight, view.format, name, index);
+    }
+    case TableFormat::kF32:
+      return IntegerOfFloat(static_cast<const float*>(view.data)[index], view.format, name, index);
+  }
+  return 0;
+}
+
+}  // namespace
+
+bool CanStore(TableFormat format, std::int32_t integer) {
+  const std::int32_t one = 1 << FractionBits(format);
+  if (integer < -2 * one || integer >= 2 * one) return false;
+  return format != TableFormat::kF16 || std::abs(integer) <= one || integer % 2 == 0;
+}
+
+BakedTable::BakedTable(TableFormat format, const std::vector<IntegerRow>& rows) {
+  const float unit = Unit(format);
+  switch (format) {
+    case TableFormat::kI16:
+      storage_ = Stored<std::int16_t>(rows, [](auto q) { return static_cast<std::int16_t>(q); });
+      break;
+    case TableFormat::kF16:
+      storage_ = Stored<std::uint16_t>(
+          rows, [unit](auto q) { return FloatToHalf(unit * static_cast<float>(q)); });
+      break;
+    case TableFormat::kI8:
+      storage_ = Stored<std::int8_t>(rows, [](auto q) { return static_cast<std::int8_t>(q); });
+      break;
+    case TableFormat::kF32:
+      storage_ = Stored<float>(rows, [unit](auto q) { return unit * static_cast<float>(q); });
+      break;
+  }
+}
+
+TableView BakedTable::view() const {
+  return {format(),
+          std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, storage_)};
+}
+
+std::vector<IntegerRow> TableIntegers(const TableView& view, const std::string& name) {
+  std::vector<IntegerRow> rows(kRows);
+  for (int i = 0; i < kTableValues; ++i) {
+    rows[i / kWeights][i % kWeights] = IntegerAt(view, name, i);
+  }
+  return rows;
+}
+
+Weights<double> RealRow(const IntegerRow& row, TableFormat format) {
+  Weights<double> w;
+  for (int k = 0; k < kWeights; ++k) w[k] = std::ldexp(row[k], -FractionBits(format));
+  return w;
+}
+
+void CheckTable(const TableView& view, const std::string& name) {
+  const std::int32_t one = 1 << FractionBits(view.format);
+  const std::vector<IntegerRow> rows = TableIntegers(view, name);
+  for (int jy = 0; jy < kNodes; ++jy) {
+    for (int ix = 0; ix < kNodes; ++ix) {
+      const int r = RowIndex(ix, jy);
+      const std::int32_t sum = std::accumulate(rows[r].begin(), rows[r].end(), 0);
+      if (sum != one) {
+        throw Error(fmt::format("{}: the weights of node ({}, {}) sum to {} / {}, expected {} / {}",
+                                name, ix, jy, sum, one, one, one));
+      }
+      for (int k = 0; k < kWeights; ++k) {
+        if (rows[r][k] != 0 && IsContractZero(kNodes, ix, jy, k)) {
+          throw Error(fmt::format(
+              "{} is {} / {}, expected 0: a node with dx = 0 (dy = 0) has weights only in the "
+              "column (row) of tap 0",
+              Place(name, r * kWeights + k), rows[r][k], one));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace warplut

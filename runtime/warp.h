@@ -1,0 +1,86 @@
+// Warping: every output pixel p takes the history at p - m(p).
+//
+//   out(p) = sum over k = 0..15 of w_k(d) * history(t + (TapX(k), TapY(k))),   p - m(p) = t + d, d
+//   in [0, 1)^2
+//
+// with the weights w of the chosen filter, clamped texel coordinates at the borders, and m in
+// pixels of the image, from history to now (x right, y down). A NaN or infinite component of m
+// counts as zero; a position far outside gives the border texel. Where d = (0, 0) the texel is
+// copied, bit for bit.
+//
+// RGBA8 rounds halves up and clamps to [0, 255]; RGBA16F is summed in float and rounded to nearest
+// even. Motion, history and output have one size; history and output one format; the output
+// overlaps neither input.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/filter.h"
+#include "runtime/image_view.h"
+#include "runtime/motion_tiles.h"
+#include "runtime/table.h"
+
+namespace warplut {
+
+// The largest difference of Warp from WarpReference.
+// RGBA8: code values; exactly 0 for tables other than f32 with nearest lookup, as every sum is
+// exact in float.
+inline constexpr int kWarpRgba8Bound = 1;
+// Float formats: relative to the largest |texel| of the window (RGBA16F: plus one unit of the
+// result's last place).
+inline constexpr float kWarpFloatBound = 0x1p-20f;
+
+// The largest width and height of an image.
+inline constexpr int kLargestSize = 1 << 20;
+
+struct WarpOptions {
+  Filter filter = Filter::kCatmullRom;
+  float keys_a = -0.5f;          // Filter::kKeys: in [-1, 0]
+  const Table* table = nullptr;  // Filter::kLut: not null, outlives the call
+  Lookup lookup = Lookup::kBilinear;
+  bool general_only = false;  // do not use what tiles have in common; for tests and benchmarks
+
+  // Whether the options can be used; otherwise *why (if not null) says why not.
+  bool IsValid(const char** why) const;
+};
+
+// The weights of the options' filter for an offset in [0, 1)^2.
+Weights<float> FilterWeights(const WarpOptions& options, float dx, float dy);
+
+// Whether a warp may be called: sizes, formats, strides and pointers fit; otherwise *why (if not
+// null) says why not.
+bool IsWarpable(const ImageView& history, const MotionView& motion, const MutableImageView& out,
+                const char** why);
+
+// The formula above, one pixel after the other: slow, obvious. Input is assumed to be checked, as
+// for Warp.
+void WarpReference(const ImageView& history, const MotionView& motion, const WarpOptions& options,
+                   const MutableImageView& out);
+
+// How many tiles of each kind were warped.
+struct WarpStats {
+  std::int64_t tiles[kMotionKinds] = {};
+
+  std::int64_t operator[](MotionKind kind) const { return tiles[static_cast<int>(kind)]; }
+};
+
+// The same, fast: tiles of whole-pixel motion are copied, tiles of uniform motion share their
+// weights, the others look up each pixel. Uses the widest vectors that the processor has, on the
+// calling thread. Input is assumed to be checked (IsWarpable, IsValid).
+WarpStats Warp(const ImageView& history, const MotionView& motion, const WarpOptions& options,
+               const MutableImageView& out);
+
+// The same with the motion classified before, for several images that share one motion (colour,
+// depth, ...). `tiles` must be that of `motion`.
+WarpStats Warp(const ImageView& history, const MotionView& motion, const MotionTiles& tiles,
+               const WarpOptions& options, const MutableImageView& out);
+
+// Rows [first_row, last_row) of the same. Both must be multiples of kTileHeight, or last_row the
+// height: then any split of an image into calls, on any threads, gives the same bits as one call.
+WarpStats WarpRows(const ImageView& history, const MotionView& motion, const WarpOptions& options,
+                   int first_row, int last_row, const MutableImageView& out);
+
+// The name of the instruction set that Warp runs on here ("AVX3", "AVX2", ...).
+const char* WarpTarget();
+
+}  // namespace warplut

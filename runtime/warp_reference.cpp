@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "runtime/motion_split.h"
+#include "runtime/pixel.h"
+#include "runtime/tap_polynomials.h"
+#include "runtime/warp.h"
+#include "runtime/warp_kernels.h"
+
+namespace warplut {
+namespace {
+
+struct Rgba {
+  std::array<float, 4> c;
+};
+
+Rgba operator*(float w, const Rgba& t) {
+  return {{w * t.c[0], w * t.c[1], w * t.c[2], w * t.c[3]}};
+}
+
+Rgba operator+(const Rgba& a, const Rgba& b) {
+  return {{a.c[0] + b.c[0], a.c[1] + b.c[1], a.c[2] + b.c[2], a.c[3] + b.c[3]}};
+}
+
+// A pixel as four floats; the missing channels of a single one are zero.
+Rgba LoadPixel(const ImageView& image, int x, int y) {
+  Rgba texel{};
+  for (int c = 0; c < Channels(image.format); ++c) {
+    texel.c[c] = LoadChannel(image.format, image.At(x, y), c);
+  }
+  return texel;
+}
+
+}  // namespace
+
+void WarpReferencePixels(const WarpJob& job, const TileRect& pixels) {
+  const auto& [history, motion, options, out] = job;
+  const int last_x = job.history.width - 1;
+  const int last_y = job.history.height - 1;
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    for (int x = pixels.x0; x < pixels.x1; ++x) {
+      const MotionSplit split_x = SplitMotion(motion.Row(y)[2 * x]);
+      const MotionSplit split_y = SplitMotion(motion.Row(y)[2 * x + 1]);
+      const int tx = SampledTexel(x, split_x.whole, history.width);
+      const int ty = SampledTexel(y, split_y.whole, history.height);
+      if (split_x.offset == 0 && split_y.offset == 0) {
+        std::memcpy(out.At(x, y), history.At(std::clamp(tx, 0, last_x), std::clamp(ty, 0, last_y)),
+                    BytesPerPixel(out.format));
+        continue;
+      }
+      std::array<Rgba, kWeights> texels;
+      for (int k = 0; k < kWeights; ++k) {
+        texels[k] = LoadPixel(history, std::clamp(tx + TapX(k), 0, last_x),
+                              std::clamp(ty + TapY(k), 0, last_y));
+      }
+      const Rgba value =
+          ApplyWeights(FilterWeights(options, split_x.offset, split_y.offset), texels);
+      for (int c = 0; c < Channels(out.format); ++c) {
+        StoreChannel(out.format, value.c[c], out.At(x, y), c);
+      }
+    }
+  }
+}
+
+void WarpReference(const ImageView& history, const MotionView& motion, const WarpOptions& options,
+                   const MutableImageView& out) {
+  WarpReferencePixels({history, motion, options, out}, {0, 0, out.width, out.height});
+}
+
+Weights<float> FilterWeights(const WarpOptions& options, float dx, float dy) {
+  if (options.filter == Filter::kLut) return options.table->At(dx, dy, options.lookup);
+  return Separable(FilterTaps(options, dx), FilterTaps(options, dy));
+}
+
+}  // namespace warplut

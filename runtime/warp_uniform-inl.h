@@ -1,0 +1,159 @@
+// The kernel for pixels of one motion: a 4 x 4 stencil with one set of weights, vectorised along
+// the row.
+//
+// A strip's source window, borders clamped, is turned into floats first. The four rows of a strip
+// are summed together, so that each loaded vector serves up to four sums.
+#if defined(WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_
+#undef WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_
+#else
+#define WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_
+#endif
+
+#include <algorithm>
+
+#include "runtime/motion_split.h"
+#include "runtime/warp_kernels.h"
+#include "runtime/warp_simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace warplut {
+namespace HWY_NAMESPACE {
+
+inline constexpr int kStripWidth = 64;
+inline constexpr int kStripHeight = 4;
+inline constexpr int kWindowWidth = kStripWidth + kTaps - 1;
+inline constexpr int kWindowHeight = kStripHeight + kTaps - 1;
+inline constexpr int kSumStride = kStripWidth * 4;  // floats
+inline constexpr int kWindowStride =
+    (kWindowWidth * 4 + kWeights - 1) / kWeights * kWeights;  // floats
+
+// Converts `count` channels of one row to floats.
+HWY_INLINE void ConvertChannels(PixelFormat format, const void* from, int count,
+                                float* HWY_RESTRICT to) {
+  const FloatTag d;
+  // Whole vectors; the last one overlaps the one before.
+  const auto convert = [&](const auto* channels) HWY_ATTR {
+    for (int i = 0; i + kLanes < count; i += kLanes) {
+      hn::StoreU(LoadChannels(channels + i), d, to + i);
+    }
+    hn::StoreU(LoadChannels(channels + count - kLanes), d, to + count - kLanes);
+  };
+  const bool is_half = format == PixelFormat::kRgba16F;
+  if (count < kLanes || (is_half && !kNativeHalf)) {
+    for (int i = 0; i < count; ++i) to[i] = LoadChannel(format, from, i);
+  } else if (format == PixelFormat::kRgba8) {
+    convert(static_cast<const std::uint8_t*>(from));
+  } else if (is_half) {
+    if constexpr (kNativeHalf) convert(static_cast<const hwy::float16_t*>(from));
+  } else {
+    convert(static_cast<const float*>(from));
+  }
+}
+
+// Converts texels [x0, x0 + count) of row y, coordinates clamped, to floats.
+HWY_INLINE void ConvertRow(const ImageView& history, int x0, int y, int count,
+                           float* HWY_RESTRICT to) {
+  const PixelFormat format = history.format;
+  const int channels = Channels(format);
+  const int row = std::clamp(y, 0, history.height - 1);
+  const int left = std::clamp(-x0, 0, count);  // texels before the image
+  const int right = std::clamp(x0 + count - history.width, 0, count);
+  const int inside = count - left - right;
+  if (inside > 0) {
+    ConvertChannels(format, history.At(x0 + left, row), inside * channels, to + left * channels);
+  }
+  const auto repeat = [&](int begin, int end, int x) {
+    for (int i = begin * channels; i < end * channels; ++i) {
+      to[i] = LoadChannel(format, history.At(x, row), i % channels);
+    }
+  };
+  repeat(0, left, 0);
+  repeat(std::max(left, count - right), count, history.width - 1);
+}
+
+// sums[r][i] = sum over k of weights[k] * window[r + ky][i + kx * kChannels] for all rows r of a
+// strip and i < count, which is rounded up to kLanes.
+template <int kChannels>
+HWY_INLINE void SumRows(const float* HWY_RESTRICT weights, const float* HWY_RESTRICT window,
+                        int count, float* HWY_RESTRICT sums) {
+  const FloatTag d;
+  for (int i = 0; i < count; i += kLanes) {
+    hn::Vec<FloatTag> sum[kStripHeight] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    for (int kx = 0; kx < kTaps; ++kx) {
+      const float* column = window + i + kx * kChannels;
+      HWY_UNROLL(kWindowHeight)
+      for (int y = 0; y < kWindowHeight; ++y) {
+        const auto texels = hn::LoadU(d, column + y * kWindowStride);
+        HWY_UNROLL(kStripHeight)
+        for (int r = 0; r < kStripHeight; ++r) {
+          const int ky = y - r;
+          if (ky < 0 || ky >= kTaps) continue;
+          sum[r] = hn::MulAdd(hn::Set(d, weights[WeightIndex(kx, ky)]), texels, sum[r]);
+        }
+      }
+    }
+    for (int r = 0; r < kStripHeight; ++r) hn::Store(sum[r], d, sums + r * kSumStride + i);
+  }
+}
+
+// Asks for what the strip to the right will need: where it is written, and the rows of its window
+// that no strip above has read.
+HWY_INLINE void PrefetchNextStrip(const WarpJob& job, const TileRect& strip, int x0, int y0) {
+  const ImageView& history = job.history;
+  const int bytes = kStripWidth * BytesPerPixel(history.format);
+  const int tx = std::clamp(x0, 0, history.width - 1);
+  for (int y = 0; y < strip.height(); ++y) {
+    const int ty = std::clamp(y0 + y + kTaps / 2, 0, history.height - 1);
+    PrefetchBytes(static_cast<const std::byte*>(history.At(tx, ty)) + bytes, bytes);
+    PrefetchBytes(static_cast<const std::byte*>(job.out.At(strip.x0, strip.y0 + y)) + bytes, bytes);
+  }
+}
+
+// Warps at most kStripWidth x kStripHeight pixels.
+HWY_INLINE void UniformStrip(const WarpJob& job, const TileRect& strip, const MotionSplit& split_x,
+                             const MotionSplit& split_y, const Weights<float>& weights) {
+  const ImageView& history = job.history;
+  const int channels = Channels(history.format);
+  const int count = strip.width() * channels;
+  // Far outside, only border texels are read: any window there is the same.
+  const int x0 =
+      std::clamp(strip.x0 + split_x.whole, -2 * kStripWidth, history.width + kStripWidth);
+  const int y0 =
+      std::clamp(strip.y0 + split_y.whole, -2 * kStripHeight, history.height + kStripHeight);
+
+  PrefetchNextStrip(job, strip, x0, y0);
+  alignas(64) float window[kWindowHeight * kWindowStride];
+  alignas(64) float sums[kStripHeight * kSumStride];
+  for (int y = 0; y < kWindowHeight; ++y) {
+    ConvertRow(history, x0 + kFirstTap, y0 + kFirstTap + y, kWindowWidth,
+               window + y * kWindowStride);
+  }
+  if (channels == 1) {
+    SumRows<1>(weights.data(), window, count, sums);
+  } else {
+    SumRows<4>(weights.data(), window, count, sums);
+  }
+  for (int y = 0; y < strip.height(); ++y) {
+    StoreChannels(history.format, sums + y * kSumStride, count, job.out.At(strip.x0, strip.y0 + y));
+  }
+}
+
+void Uniform(const WarpJob& job, const TileRect& pixels, float mx, float my) {
+  const MotionSplit split_x = SplitMotion(mx);
+  const MotionSplit split_y = SplitMotion(my);
+  const Weights<float> weights = FilterWeights(job.options, split_x.offset, split_y.offset);
+  for (int y = pixels.y0; y < pixels.y1; y += kStripHeight) {
+    for (int x = pixels.x0; x < pixels.x1; x += kStripWidth) {
+      const TileRect strip = {x, y, std::min(x + kStripWidth, pixels.x1),
+                              std::min(y + kStripHeight, pixels.y1)};
+      UniformStrip(job, strip, split_x, split_y, weights);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace warplut
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "datasets/file.h"
+#include "datasets/image_io.h"
+#include "datasets/sequence.h"
+#include "tests/datasets/expect_error.h"
+#include "tests/datasets/temporary_folder.h"
+
+namespace warplut {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+// Two frames, 3 and 4, of 4 x 2 pixels in `folder`, colour only; tests add what they need.
+class LoadFrameTest : public testing::Test {
+ protected:
+  LoadFrameTest() {
+    s_.folder = folder_.path();
+    s_.name = "demo";
+    s_.first = 3;
+    s_.count = 2;
+    s_.render = {4, 2};
+    s_.output = {8, 4};
+    s_.color.path = "c%d.exr";
+    s_.jitter = {{0.25, -0.25}};
+    s_.cuts = {4};
+    Color(Filled(3, 0.5F));
+  }
+
+  static Image Filled(int channels, float value) {
+    Image image(4, 2, channels);
+    image.data.assign(image.data.size(), value);
+    return image;
+  }
+
+  void Color(const Image& image, const std::vector<std::string>& names = {}) {
+    WriteImage(folder_ / "c3.exr", image, PixelType::kFloat, names);
+  }
+  Image LoadColor() { return LoadFrame(s_, 0, Streams::kColor).color; }
+
+  TemporaryFolder folder_;
+  Sequence s_;
+};
+
+TEST_F(LoadFrameTest, NumberJitterAndCutNeedNoFile) {
+  const Frame frame = LoadFrame(s_, 1, Streams::kNone);
+  EXPECT_EQ(frame.number, 4);
+  EXPECT_TRUE(frame.cut);
+  EXPECT_EQ(frame.jitter.y, -0.25);
+  EXPECT_FALSE(frame.camera);
+  EXPECT_TRUE(frame.color.empty());
+  EXPECT_FALSE(LoadFrame(s_, 0, Streams::kNone).cut);
+}
+
+TEST_F(LoadFrameTest, GreyAndAlphaBecomeRgb) {
+  Image grey(4, 2, 1), rgba(4, 2, 4), grey_alpha(4, 2, 2);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const float v = static_cast<float>(i) / 8;
+    grey.data[i] = grey_alpha.data[2 * i] = v;
+    grey_alpha.data[2 * i + 1] = 0;
+    for (std::size_t c = 0; c < 3; ++c) rgba.data[4 * i + c] = v;
+  }
+  for (const Image* image : {&grey, &grey_alpha, &rgba}) {
+    Color(*image);
+    const Image color = LoadColor();
+    ASSERT_EQ(color.channels, 3);
+    for (std::size_t i = 0; i < color.data.size(); ++i) ASSERT_EQ(color.data[i], grey.data[i / 3]);
+  }
+  s_.color.channels = {"G"};
+  Color(rgba);
+  EXPECT_EQ(LoadColor().channels, 3);
+}
+
+TEST_F(LoadFrameTest, FilesAreChecked) {
+  ExpectError([&] { LoadFrame(s_, 1, Streams::kColor); }, {"c4.exr", "does not exist"});
+  ExpectError([&] { LoadFrame(s_, 2, Streams::kColor); }, {"'demo'", "index 2", "0 to 1"});
+  ExpectError([&] { LoadFrame(s_, -1, Streams::kNone); }, {"index -1"});
+  ExpectError([&] { LoadFrame(s_, 0, Streams::kMotion); },
+              {"'demo'", "no stream 'motion'", "color"});
+  s_.render = {4, 3};
+  ExpectError([&] { LoadColor(); }, {"c3.exr", "4 x 2", "expected 4 x 3"});
+}
+
+TEST_F(LoadFrameTest, ColourIsFiniteAndInTheDisplayRangeUnlessLinear) {
+  Image image = Filled(3, 0.5F);
+  image.at(2, 1, 1) = kNan;
+  Color(image);
+  ExpectError([&] { LoadColor(); }, {"c3.exr", "pixel (2, 1)", "channel G", "nan"});
+  image.at(2, 1, 1) = 1.5F;
+  Color(image);
+  ExpectError([&] { LoadColor(); }, {"c3.exr", "pixel (2, 1)", "1.5", "linear"});
+  image.at(2, 1, 1) = 1.001F;
+  Color(image);
+  EXPECT_EQ(LoadColor().at(2, 1, 1), 1);
+  image.at(2, 1, 1) = 150;
+  Color(image);
+  s_.color_space = ColorSpace::kLinear;
+  EXPECT_EQ(LoadColor().at(2, 1, 1), 150);
+}
+
+TEST_F(LoadFrameTest, OneFileMayHoldSeveralStreams) {
+  Image image(4, 2, 4);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const float values[] = {0.5F, 3, -2, 40};
+    for (std::size_t c = 0; c < 4; ++c) image.data[4 * i + c] = values[c];
+  }
+  Color(image, {"Y", "mv.x", "mv.y", "Z"});
+  s_.color.channels = {"Y"};
+  s_.depth.emplace();
+  s_.depth->path = s_.color.path;
+  s_.depth->channels = {"Z"};
+  s_.depth->far = 80;
+  s_.motion.emplace();
+  s_.motion->path = s_.color.path;
+  s_.motion->channels = {"mv.x", "mv.y"};
+  const Frame frame = LoadFrame(s_, 0, Streams::kRenderGrid);
+  EXPECT_EQ(frame.color.at(1, 1, 2), 0.5F);
+  EXPECT_EQ(frame.depth.at(3, 0), 0.5F);
+  EXPECT_EQ(frame.motion.at(3, 1, 0), 3);
+  EXPECT_EQ(frame.motion.at(3, 1, 1), -2);
+}
+
+TEST_F(LoadFrameTest, DepthAndMotionFilesAreChecked) {
+  s_.depth.emplace();
+  s_.depth->path = "d%d.exr";
+  s_.motion.emplace();
+  s_.motion->path = "m%d.exr";
+  Image depth = Filled(1, 0.5F), motion = Filled(2, 1);
+  depth.data[2] = kInfinity;
+  WriteImage(folder_ / "d3.exr", depth, PixelType::kFloat, {"Z"});
+  EXPECT_EQ(LoadFrame(s_, 0, Streams::kDepth).depth.data, depth.data);
+  WriteImage(folder_ / "d3.exr", motion, PixelType::kFloat, {"X", "Y"});
+  ExpectError([&] { LoadFrame(s_, 0, Streams::kDepth); },
+              {"d3.exr", "2 channels (X, Y)", "expected 1"});
+  depth.data[5] = kNan;
+  WriteImage(folder_ / "d3.exr", depth, PixelType::kFloat, {"Z"});
+  ExpectError([&] { LoadFrame(s_, 0, Streams::kDepth); }, {"d3.exr", "pixel (1, 1)", "nan"});
+  motion.data[6] = kInfinity;
+  WriteImage(folder_ / "m3.exr", motion, PixelType::kFloat, {"X", "Y"});
+  ExpectError([&] { LoadFrame(s_, 0, Streams::kMotion); }, {"m3.exr", "pixel (3, 0)", "inf"});
+  s_.depth->encoding = Encoding::kRgba8Base255;
+  ExpectError([&] { LoadFrame(s_, 0, Streams::kDepth); }, {"d3.exr", "32-bit float", "8-bit"});
+  s_.depth->path = "d%d.png";
+  WriteImage(folder_ / "d3.png", Filled(3, 0.5F), PixelType::kUint8);
+  ExpectError([&] { LoadFrame(s_, 0, Streams::kDepth); }, {"d3.png", "3 channels", "expected 4"});
+}
+
+TEST_F(LoadFrameTest, FilesOfAFrame) {
+  s_.motion.emplace();
+  s_.motion->path_x = "x%d.exr";
+  s_.motion->path_y = "y%d.exr";
+  s_.reference = ColorStream{"r%d.png", {}};
+  const std::vector<std::filesystem::path> expected = {folder_ / "c4.exr", folder_ / "x4.exr",
+                                                       folder_ / "y4.exr", folder_ / "r4.png"};
+  EXPECT_EQ(FrameFiles(s_, 1, Streams::kAll), expected);
+  EXPECT_EQ(StreamNames(AvailableStreams(s_)),
+            (std::vector<std::string>{"color", "motion", "reference"}));
+}
+
+}  // namespace
+}  // namespace warplut

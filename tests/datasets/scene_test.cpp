@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "datasets/error.h"
+#include "datasets/scenes/scene_renderer.h"
+
+namespace warplut {
+namespace {
+
+RenderOptions Small() {
+  RenderOptions options;
+  options.width = 64;
+  options.height = 36;
+  options.samples = 4;
+  return options;
+}
+
+std::string WhyInvalid(const RenderOptions& options) {
+  std::string why;
+  EXPECT_FALSE(options.IsValid(&why));
+  EXPECT_FALSE(options.IsValid(nullptr));
+  return why;
+}
+
+std::string ErrorOf(const std::string& scene, const RenderOptions& options, int frame = 0) {
+  try {
+    SceneRenderer(scene, options).Render(frame);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Scenes, AreNamedOnceAndSplitByScene) {
+  std::set<std::string_view> names;
+  int training = 0, held_out = 0;
+  for (const SceneInfo& scene : Scenes()) {
+    EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
+    EXPECT_FALSE(scene.purpose.empty()) << scene.name;
+    ++(scene.training ? training : held_out);
+  }
+  EXPECT_GE(training, 4);
+  EXPECT_GE(held_out, 2);
+}
+
+TEST(Scenes, AllRenderEveryStreamInRange) {
+  RenderOptions options = Small();
+  options.samples = 1;
+  for (const SceneInfo& scene : Scenes()) {
+    SCOPED_TRACE(scene.name);
+    const SceneRenderer renderer(std::string(scene.name), options);
+    const Frame frame = renderer.Render(1);
+    EXPECT_EQ(frame.number, 1);
+    EXPECT_TRUE(frame.camera.has_value());
+    EXPECT_EQ(frame.reference.width, 64);
+    EXPECT_EQ(frame.reference_motion.channels, 2);
+    EXPECT_EQ(frame.color.width, 32);
+    EXPECT_EQ(frame.depth.height, 18);
+    for (const Image* image : {&frame.reference, &frame.color}) {
+      for (const float v : image->data) ASSERT_TRUE(v >= 0 && v <= 1) << v;
+      const auto [low, high] = std::minmax_element(image->data.begin(), image->data.end());
+      EXPECT_GT(*high - *low, 0.3f);
+    }
+    for (const Image* image : {&frame.reference_depth, &frame.depth}) {
+      for (const float v : image->data) ASSERT_TRUE(v > 0 && v <= 1) << v;
+    }
+    for (const Image* image : {&frame.reference_motion, &frame.motion}) {
+      for (const float v : image->data) ASSERT_TRUE(std::isfinite(v));
+    }
+  }
+}
+
+TEST(Scenes, SeedChangesThePicture) {
+  RenderOptions options = Small();
+  const Frame one = SceneRenderer("courtyard", options).Render(0);
+  options.seed = 2;
+  const Frame two = SceneRenderer("courtyard", options).Render(0);
+  EXPECT_NE(one.reference.data, two.reference.data);
+}
+
+TEST(SceneRenderer, ThreadsDoNotChangeTheBits) {
+  for (const char* scene : {"gallery", "plaza"}) {
+    RenderOptions options = Small();
+    options.threads = 1;
+    const Frame one = SceneRenderer(scene, options).Render(3);
+    options.threads = 3;
+    const Frame three = SceneRenderer(scene, options).Render(3);
+    EXPECT_EQ(one.reference.data, three.reference.data);
+    EXPECT_EQ(one.reference_depth.data, three.reference_depth.data);
+    EXPECT_EQ(one.reference_motion.data, three.reference_motion.data);
+    EXPECT_EQ(one.color.data, three.color.data);
+    EXPECT_EQ(one.depth.data, three.depth.data);
+    EXPECT_EQ(one.motion.data, three.motion.data);
+  }
+}
+
+TEST(SceneRenderer, UnknownSceneNamesThoseThatExist) {
+  const std::string error = ErrorOf("nowhere", Small());
+  EXPECT_NE(error.find("nowhere"), std::string::npos);
+  for (const SceneInfo& scene : Scenes())
+    EXPECT_NE(error.find(scene.name), std::string::npos) << scene.name;
+}
+
+TEST(SceneRenderer, InvalidOptionsAreRefused) {
+  RenderOptions options = Small();
+  options.width = 3;
+  EXPECT_NE(ErrorOf("still", options).find("width is 3"), std::string::npos);
+}
+
+TEST(SceneRenderer, FrameIndexOutOfRangeIsRefused) {
+  EXPECT_NE(ErrorOf("still", Small(), 12).find("12"), std::string::npos);
+  EXPECT_NE(ErrorOf("still", Small(), -1).find("-1"), std::string::npos);
+}
+
+TEST(SceneRenderer, StreamsThatAreNotWantedAreEmpty) {
+  RenderOptions options = Small();
+  options.reference = false;
+  const Frame inputs = SceneRenderer("still", options).Render(0);
+  EXPECT_TRUE(inputs.reference.empty() && inputs.reference_depth.empty() &&
+              inputs.reference_motion.empty());
+  EXPECT_FALSE(inputs.color.empty());
+  options.reference = true;
+  options.inputs = false;
+  const Frame reference = SceneRenderer("still", options).Render(0);
+  EXPECT_TRUE(reference.color.empty() && reference.depth.empty() && reference.motion.empty());
+  EXPECT_FALSE(reference.reference.empty());
+}
+
+TEST(SceneRenderer, RenderGridIsRounded) {
+  RenderOptions options = Small();
+  options.scale = 1.7;
+  const SceneRenderer renderer("still", options);
+  EXPECT_EQ(renderer.render_width(), 38);
+  EXPECT_EQ(renderer.render_height(), 21);
+}
+
+TEST(SceneRenderer, JitterCycleGrowsWithTheScale) {
+  const std::pair<double, std::size_t> cases[] = {{1, 8}, {1.5, 18}, {1.7, 23}, {2, 32}, {3, 72}};
+  for (const auto& [scale, count] : cases) {
+    RenderOptions options = Small();
+    options.scale = scale;
+    const auto jitter = SceneRenderer("still", options).Jitter();
+    EXPECT_EQ(jitter.size(), count);
+    std::set<std::pair<double, double>> distinct;
+    for (const Vec2& j : jitter) {
+      EXPECT_LE(std::abs(j.x), 0.5);
+      EXPECT_LE(std::abs(j.y), 0.5);
+      distinct.insert({j.x, j.y});
+    }
+    EXPECT_EQ(distinct.size(), count);
+  }
+}
+
+TEST(SceneRenderer, CutsAreFlaggedAndHaveNoMotion) {
+  const SceneRenderer harbour("harbour", Small());
+  EXPECT_EQ(harbour.Cuts(), (std::vector<int>{4, 8}));
+  const Frame cut = harbour.Render(4), after = harbour.Render(5);
+  EXPECT_TRUE(cut.cut);
+  EXPECT_FALSE(after.cut);
+  EXPECT_TRUE(std::all_of(cut.reference_motion.data.begin(), cut.reference_motion.data.end(),
+                          [](float v) { return v == 0; }));
+  EXPECT_FALSE(std::all_of(after.motion.data.begin(), after.motion.data.end(),
+                           [](float v) { return v == 0; }));
+  EXPECT_TRUE(SceneRenderer("street", Small()).Cuts().empty());
+}
+
+TEST(RenderOptions, EachFieldIsChecked) {
+  EXPECT_TRUE(RenderOptions{}.IsValid(nullptr));
+  const auto with = [](auto change) {
+    RenderOptions options;
+    change(options);
+    return WhyInvalid(options);
+  };
+  EXPECT_NE(with([](auto& o) { o.width = 7; }).find("width"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.height = 20000; }).find("height"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.scale = 0.5; }).find("scale"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.scale = std::nan(""); }).find("scale"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.frames = 0; }).find("frames"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.samples = 0; }).find("samples"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.threads = -1; }).find("threads"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.reference = o.inputs = false; }).find("reference"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace warplut

@@ -1,0 +1,61 @@
+// Tables for tests: Keys weights on the grid of a format, rows closed exactly.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "luts/filters.h"
+#include "runtime/half.h"
+#include "runtime/table.h"
+
+namespace warplut {
+
+struct TestTable {
+  std::vector<std::byte> bytes;
+  TableFormat format;
+
+  TableView view() const { return {format, bytes.data()}; }
+};
+
+inline TestTable MakeKeysTable(TableFormat format, double a = -0.58) {
+  const std::size_t size = BytesPerWeight(format);
+  TestTable table{std::vector<std::byte>(kTableValues * size), format};
+  const double one = std::ldexp(1.0, FractionBits(format));
+  for (int row = 0; row < kRows; ++row) {
+    const auto w = KeysWeights(a, NodeOffset(row % kNodes), NodeOffset(row / kNodes));
+    Weights<long> stored;
+    long rest = static_cast<long>(one);
+    for (int k = 0; k < kWeights; ++k) {
+      stored[k] = std::lround(w[k] * one);
+      rest -= stored[k];
+    }
+    *std::max_element(stored.begin(), stored.end()) += rest;
+    for (int k = 0; k < kWeights; ++k) {
+      std::byte* to = table.bytes.data() + static_cast<std::size_t>(row * kWeights + k) * size;
+      const auto store = [&](auto value) { std::memcpy(to, &value, sizeof value); };
+      const float weight = static_cast<float>(stored[k] / one);
+      switch (format) {
+        case TableFormat::kI16:
+          store(static_cast<std::int16_t>(stored[k]));
+          break;
+        case TableFormat::kF16:
+          store(FloatToHalf(weight));
+          break;
+        case TableFormat::kI8:
+          store(static_cast<std::int8_t>(stored[k]));
+          break;
+        case TableFormat::kF32:
+          store(weight);
+          break;
+      }
+    }
+  }
+  return table;
+}
+
+inline constexpr TableFormat kTableFormats[] = {TableFormat::kI16, TableFormat::kF16,
+                                                TableFormat::kI8, TableFormat::kF32};
+
+}  // namespace warplut

@@ -1,0 +1,168 @@
+// The fast warp against the reference, on every instruction set.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/runtime/warp_fixture.h"
+
+namespace warplut {
+namespace {
+
+struct Size {
+  int width;
+  int height;
+};
+
+// Counts channels that differ at all; fails for those that differ by more than the documented
+// bound. Values of float formats must lie in [-2, 2].
+int CountDifferent(const TestImage& fast, const TestImage& reference) {
+  int different = 0;
+  for (int y = 0; y < fast.height(); ++y) {
+    for (int x = 0; x < fast.width(); ++x) {
+      for (int c = 0; c < Channels(fast.format()); ++c) {
+        const float expected = reference.Get(x, y, c);
+        float bound = 2 * kWarpFloatBound;
+        if (fast.format() == PixelFormat::kRgba8) bound = kWarpRgba8Bound;
+        if (fast.format() == PixelFormat::kRgba16F)
+          bound += 0x1p-10f * std::max(std::abs(expected), 0x1p-14f);
+        const float actual = fast.Get(x, y, c);
+        if (!(std::abs(actual - expected) <= bound)) {
+          ADD_FAILURE() << "(" << x << ", " << y << ") channel " << c << ": " << actual
+                        << ", expected " << expected;
+          return different;
+        }
+        different += actual != expected;
+      }
+    }
+  }
+  return different;
+}
+
+class WarpAccuracy : public testing::TestWithParam<PixelFormat> {};
+
+TEST_P(WarpAccuracy, RandomMotionOfEverySize) {
+  const TestTable stored = MakeKeysTable(TableFormat::kI16);
+  const Table table(stored.view());
+  for (const Size size : {Size{1, 1}, {3, 3}, {17, 5}, {4, 64}, {64, 4}, {131, 37}}) {
+    for (const int padding : {0, 48}) {
+      TestImage history(size.width, size.height, GetParam(), padding);
+      history.Randomise(1);
+      TestMotion motion(size.width, size.height, 0, 0, padding / 8);
+      motion.Randomise(2, 4);
+      for (const TestFilter& filter : TestFilters(&table)) {
+        SCOPED_TRACE(filter.name + " " + std::to_string(size.width) + " x " +
+                     std::to_string(size.height));
+        TestImage reference(size.width, size.height, GetParam(), padding);
+        WarpReference(history.history(), motion.view(), filter.options, reference.view());
+        ForEachTarget([&] {
+          TestImage fast(size.width, size.height, GetParam(), padding);
+          Warp(history.history(), motion.view(), filter.options, fast.view());
+          CountDifferent(fast, reference);
+        });
+      }
+    }
+  }
+}
+
+TEST_P(WarpAccuracy, UniformAndWholeMotion) {
+  const TestTable stored = MakeKeysTable(TableFormat::kI16);
+  const Table table(stored.view());
+  const float motions[][2] = {{0.3f, -1.7f}, {0.5f, 0.5f}, {-3, 2},           {0, 0.25f},
+                              {-7.75f, 0},   {200, -100},  {-300.5f, 80.25f}, {1e30f, -1e6f}};
+  TestImage history(151, 41, GetParam(), 16);
+  history.Randomise(5);
+  for (const auto& [mx, my] : motions) {
+    const TestMotion motion(151, 41, mx, my);
+    for (const TestFilter& filter : TestFilters(&table)) {
+      SCOPED_TRACE(filter.name + " " + std::to_string(mx) + " " + std::to_string(my));
+      TestImage reference(151, 41, GetParam());
+      WarpReference(history.history(), motion.view(), filter.options, reference.view());
+      ForEachTarget([&] {
+        TestImage fast(151, 41, GetParam());
+        const WarpStats stats = Warp(history.history(), motion.view(), filter.options, fast.view());
+        EXPECT_EQ(stats[MotionKind::kGeneral], 0);
+        CountDifferent(fast, reference);
+        WarpOptions general = filter.options;
+        general.general_only = true;
+        const WarpStats all_general = Warp(history.history(), motion.view(), general, fast.view());
+        EXPECT_EQ(all_general[MotionKind::kGeneral], 9);
+        CountDifferent(fast, reference);
+      });
+    }
+  }
+}
+
+TEST_P(WarpAccuracy, MotionThatIsNotFinite) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kFar[] = {kNan, kInfinity, -kInfinity, 1e6f, -1e6f, 1e30f, -1e30f, 0.25f, 0};
+  TestImage history(81, 9, GetParam());
+  history.Randomise(7);
+  TestMotion motion(81, 9);
+  for (int i = 0; i < 81; ++i) {
+    for (int y = 0; y < 9; ++y) motion.Set(i, y, kFar[i % 9], kFar[i / 9]);
+  }
+  const WarpOptions options;
+  TestImage reference(81, 9, GetParam());
+  WarpReference(history.history(), motion.view(), options, reference.view());
+  for (int y = 0; y < 9; ++y) {
+    for (int c = 0; c < Channels(GetParam()); ++c) {
+      EXPECT_EQ(reference.Get(0, y, c), history.Get(0, y, c)) << "NaN counts as zero";
+    }
+  }
+  ForEachTarget([&] {
+    TestImage fast(81, 9, GetParam());
+    Warp(history.history(), motion.view(), options, fast.view());
+    CountDifferent(fast, reference);
+  });
+}
+
+TEST_P(WarpAccuracy, RowsInPartsAndTilesGivenAreTheSameBits) {
+  constexpr int kWidth = 150;
+  constexpr int kHeight = 3 * kTileHeight + 5;
+  TestImage history(kWidth, kHeight, GetParam());
+  history.Randomise(3);
+  TestMotion motion(kWidth, kHeight, 0.3f, 0.7f);
+  for (int y = kTileHeight; y < kTileHeight + 20; ++y) motion.Set(70, y, 1.5f, 0.1f * y);
+  const WarpOptions options;
+  ForEachTarget([&] {
+    TestImage whole(kWidth, kHeight, GetParam());
+    Warp(history.history(), motion.view(), options, whole.view());
+    TestImage parts(kWidth, kHeight, GetParam());
+    WarpRows(history.history(), motion.view(), options, 2 * kTileHeight, kHeight, parts.view());
+    WarpRows(history.history(), motion.view(), options, 0, 2 * kTileHeight, parts.view());
+    EXPECT_EQ(whole, parts);
+    TestImage tiled(kWidth, kHeight, GetParam());
+    Warp(history.history(), motion.view(), MotionTiles(motion.view()), options, tiled.view());
+    EXPECT_EQ(whole, tiled);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, WarpAccuracy, testing::ValuesIn(kPixelFormats),
+                         [](const auto& test) { return std::string(Name(test.param)); });
+
+TEST(WarpAccuracyRgba8, NearestLookupIsExactOnEveryTarget) {
+  TestImage history(200, 120, PixelFormat::kRgba8);
+  history.Randomise(1);
+  TestMotion motion(200, 120);
+  motion.Randomise(2, 6);
+  for (const TableFormat format : kTableFormats) {
+    const TestTable stored = MakeKeysTable(format, -0.7);
+    const Table table(stored.view());
+    for (const TestFilter& filter : TestFilters(&table)) {
+      SCOPED_TRACE(std::string(Name(format)) + " " + filter.name);
+      TestImage reference(200, 120, PixelFormat::kRgba8);
+      WarpReference(history.history(), motion.view(), filter.options, reference.view());
+      const bool exact = filter.name == "lut nearest" && format != TableFormat::kF32;
+      ForEachTarget([&] {
+        TestImage fast(200, 120, PixelFormat::kRgba8);
+        Warp(history.history(), motion.view(), filter.options, fast.view());
+        const int different = CountDifferent(fast, reference);
+        EXPECT_LE(different, exact ? 0 : 200 * 120 * 4 / 1000);
+      });
+    }
+  }
+}
+
+}  // namespace
+}  // namespace warplut

@@ -1,0 +1,55 @@
+// The shell scripts, where they can be tested without installing or building anything.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "datasets/file.h"
+#include "tests/datasets/temporary_folder.h"
+#include "tests/tools/program.h"
+
+namespace warplut {
+namespace {
+
+const std::string kTools = WARPLUT_SOURCE "/tools/";
+
+TEST(Scripts, RefuseUnknownOptions) {
+  for (const char* script : {"test.sh", "quickstart.sh", "install_dependencies.sh"}) {
+    const ProgramResult result = RunProgram(kTools + script, {"--nonsense"});
+    EXPECT_EQ(result.code, 1) << script;
+    EXPECT_THAT(result.err,
+                testing::AllOf(testing::HasSubstr(script), testing::HasSubstr("--nonsense")));
+  }
+}
+
+TEST(Scripts, TheListOfPackagesNamesEachOnce) {
+  const ProgramResult result = RunProgram(kTools + "install_dependencies.sh", {"--list"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, testing::HasSubstr("libceres-dev\n"));
+}
+
+TEST(Scripts, SummaryCountsPassedFailedAndSkipped) {
+  const TemporaryFolder folder;
+  WriteFile(folder / "junit.xml",
+            "<testsuite>\n"
+            "\t<testcase name=\"A.Pass\" status=\"run\">\n\t</testcase>\n"
+            "\t<testcase name=\"A.Fail\" status=\"fail\">\n\t\t<failure message=\"\"/>\n"
+            "\t\t<system-out>1 &lt; 0</system-out>\n\t</testcase>\n"
+            "\t<testcase name=\"A.Skip\" status=\"notrun\">\n"
+            "\t\t<skipped message=\"SKIP_REGULAR_EXPRESSION_MATCHED\"/>\n"
+            "\t\t<system-out>a_test.cpp:4: Skipped\nno data\n</system-out>\n\t</testcase>\n"
+            "\t<testcase name=\"A.Absent\" status=\"notrun\">\n"
+            "\t\t<skipped message=\"Unable to find executable\"/>\n\t</testcase>\n"
+            "</testsuite>\n");
+  const auto summary = [&](const std::string& what) {
+    return RunProgram("/usr/bin/awk", {"-f", kTools + "junit_summary.awk", "-v", "what=" + what,
+                                       folder / "junit.xml"})
+        .out;
+  };
+  EXPECT_EQ(summary("counts"), "1 2 1\n");
+  EXPECT_THAT(summary("details"),
+              testing::AllOf(testing::HasSubstr("1 < 0"), testing::HasSubstr("A.Skip: no data")));
+}
+
+}  // namespace
+}  // namespace warplut

@@ -1,0 +1,372 @@
+#include "tools/bench/warp_benchmark.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <random>
+#include <utility>
+
+#include "datasets/error.h"
+#include "luts/filters.h"
+#include "runtime/motion_tiles.h"
+#include "runtime/pixel.h"
+
+namespace warplut {
+namespace {
+
+// Ratios that the project asks for, for RGBA8 and RGBA32F: nearest and bilinear lookup on smooth
+// motion, uniform motion, static motion.
+constexpr double kNearestTarget = 4;
+constexpr double kBilinearTarget = 2.5;
+constexpr double kUniformTarget = 8;
+constexpr double kStaticTarget = 0.9;
+
+struct Image {
+  Image(int width, int height, PixelFormat format)
+      : bytes(static_cast<std::size_t>(width) * height * BytesPerPixel(format)),
+        view{bytes.data(), width, height, std::ptrdiff_t{width} * BytesPerPixel(format), format} {}
+  Image(const Image&) = delete;
+  Image& operator=(const Image&) = delete;
+
+  ImageView Const() const { return {view.data, view.width, view.height, view.stride, view.format}; }
+
+  std::vector<std::byte> bytes;
+  MutableImageView view;
+};
+
+struct Motion {
+  Motion(int width, int height) : xy(static_cast<std::size_t>(width) * height * 2) {
+    view = {xy.data(), width, height,
+            std::ptrdiff_t{width} * 2 * static_cast<std::ptrdiff_t>(sizeof(float))};
+  }
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+
+  std::vector<float> xy;
+  MotionView view;
+};
+
+// Smooth waves with some noise, so that neither all texels nor all weights are alike.
+void FillImage(const Image& image) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> noise(-0.1f, 0.1f);
+  const float scale = image.view.format == PixelFormat::kRgba8 ? 255.0f : 1.0f;
+  for (int y = 0; y < image.view.height; ++y) {
+    for (int x = 0; x < image.view.width; ++x) {
+      for (int c = 0; c < Channels(image.view.format); ++c) {
+        const float wave = std::sin(0.07f * x + 0.05f * y + c);
+        StoreChannel(image.view.format, scale * (0.5f + 0.35f * wave + noise(random)),
+                     image.view.At(x, y), c);
+      }
+    }
+  }
+}
+
+void FillMotion(const std::string& kind, Motion& motion) {
+  for (int y = 0; y < motion.view.height; ++y) {
+    for (int x = 0; x < motion.view.width; ++x) {
+      float* m = motion.xy.data() + 2 * (static_cast<std::size_t>(y) * motion.view.width + x);
+      if (kind == "smooth") {
+        m[0] = 5.3f * std::sin(0.003f * x + 0.002f * y);
+        m[1] = 4.1f * std::cos(0.002f * x - 0.004f * y);
+      } else if (kind == "uniform") {
+        m[0] = 3.37f;
+        m[1] = -1.61f;
+      } else if (kind == "whole") {
+        m[0] = 3;
+        m[1] = -2;
+      } else {
+        m[0] = 0;
+        m[1] = 0;
+      }
+    }
+  }
+}
+
+// A table of Catmull-Rom weights in i16 with exact row sums: the time does not depend on the
+// weights.
+std::vector<std::int16_t> MakeTable() {
+  std::vector<std::int16_t> table(kTableValues);
+  const double one = 1 << FractionBits(TableFormat::kI16);
+  for (int row = 0; row < kRows; ++row) {
+    const auto w = KeysWeights(kCatmullRomA, NodeOffset(row % kNodes), NodeOffset(row / kNodes));
+    int rest = static_cast<int>(one);
+    for (int k = 0; k < kWeights; ++k) {
+      table[row * kWeights + k] = static_cast<std::int16_t>(std::lround(w[k] * one));
+      rest -= table[row * kWeights + k];
+    }
+    table[row * kWeights + kIdentityWeight] =
+        static_cast<std::int16_t>(table[row * kWeights + kIdentityWeight] + rest);
+  }
+  return table;
+}
+
+struct Difference {
+  double worst = 0;
+  bool exact = true;
+};
+
+Difference Compare(const Image& a, const Image& b) {
+  Difference error;
+  error.exact = a.bytes == b.bytes;
+  const PixelFormat format = a.view.format;
+  const double codes = format == PixelFormat::kRgba8 ? 1 : 255;
+  for (int y = 0; y < a.view.height; ++y) {
+    for (int i = 0; i < a.view.width * Channels(format); ++i) {
+      const double difference =
+          LoadChannel(format, a.view.At(0, y), i) - LoadChannel(format, b.view.At(0, y), i);
+      error.worst = std::max(error.worst, codes * std::abs(difference));
+    }
+  }
+  return error;
+}
+
+// Time that this thread has spent on a processor, so that other programs do not count.
+double ThreadMilliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+double Milliseconds(const std::function<void()>& call) {
+  const double start = ThreadMilliseconds();
+  call();
+  return ThreadMilliseconds() - start;
+}
+
+Timing Summarise(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return {values.front(), values[values.size() / 2], values.back()};
+}
+
+struct Competitor {
+  std::string name;
+  std::function<void()> call;
+  double target;
+};
+
+// Times `warp` and each competitor in turn, so that a change of clock or load meets all of them.
+std::vector<WarpBenchmarkRow> Race(const WarpBenchmarkRow& row, int repeats,
+                                   const std::function<void()>& warp,
+                                   const std::vector<Competitor>& competitors) {
+  std::vector<WarpBenchmarkRow> rows;
+  std::vector<double> own;
+  std::vector<std::vector<double>> others(competitors.size());
+  for (int repeat = -1; repeat < repeats; ++repeat) {  // the first run warms up
+    const double time = Milliseconds(warp);
+    if (repeat >= 0) own.push_back(time);
+    for (std::size_t i = 0; i < competitors.size(); ++i) {
+      const double other = Milliseconds(competitors[i].call);
+      if (repeat >= 0) others[i].push_back(other);
+    }
+  }
+  for (std::size_t i = 0; i < competitors.size(); ++i) {
+    std::vector<double> ratios(own.size());
+    for (std::size_t r = 0; r < own.size(); ++r) ratios[r] = others[i][r] / own[r];
+    WarpBenchmarkRow result = row;
+    result.competitor = competitors[i].name;
+    result.warp = Summarise(own);
+    result.other = Summarise(others[i]);
+    result.ratio = Summarise(ratios);
+    result.target = competitors[i].target;
+    rows.push_back(std::move(result));
+  }
+  return rows;
+}
+
+int MatType(PixelFormat format) {
+  return format == PixelFormat::kRgba8  ? CV_8UC4
+         : format == PixelFormat::kR32F ? CV_32FC1
+                                        : CV_32FC4;
+}
+
+struct Variant {
+  std::string name;
+  WarpOptions options;
+  double smooth_target;
+};
+
+bool HasTarget(PixelFormat format) {
+  return format == PixelFormat::kRgba8 || format == PixelFormat::kRgba32F;
+}
+
+std::vector<Variant> MakeVariants(const Table& table) {
+  Variant nearest{"lut nearest", {}, kNearestTarget};
+  nearest.options.filter = Filter::kLut;
+  nearest.options.table = &table;
+  nearest.options.lookup = Lookup::kNearest;
+  Variant bilinear = nearest;
+  bilinear.name = "lut bilinear";
+  bilinear.options.lookup = Lookup::kBilinear;
+  bilinear.smooth_target = kBilinearTarget;
+  return {nearest, bilinear, {Info(Filter::kCatmullRom).name, {}, 0}};
+}
+
+// The images of one format and what is measured on them.
+class FormatBenchmark {
+ public:
+  FormatBenchmark(const WarpBenchmarkOptions& options, PixelFormat format)
+      : repeats_(options.repeats),
+        history_(options.width, options.height, format),
+        out_(options.width, options.height, format),
+        reference_(options.width, options.height, format),
+        remapped_(options.width, options.height,
+                  format == PixelFormat::kRgba16F ? PixelFormat::kRgba32F : format),
+        source_(options.height, options.width, MatType(format), remapped_.view.data) {
+    FillImage(history_);
+    FillImage(remapped_);
+  }
+
+  // One filter, against remap.
+  void AgainstRemap(const std::string& kind, const Motion& motion, const Variant& variant,
+                    std::vector<WarpBenchmarkRow>& rows) {
+    const cv::Mat map = RemapMap(motion);
+    cv::Mat fixed, fraction;
+    cv::convertMaps(map, cv::noArray(), fixed, fraction, CV_16SC2);
+    const auto remap = [&](const cv::Mat& map1, const cv::Mat& map2) {
+      cv::remap(source_, destination_, map1, map2, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+    };
+    const double target = kind == "uniform" ? kUniformTarget : variant.smooth_target;
+    Measure(
+        kind, variant.name, motion, variant.options,
+        [&] { Warp(history_.Const(), motion.view, variant.options, out_.view); },
+        {{"remap, float maps", [&] { remap(map, cv::Mat()); }, target},
+         {"remap, fixed maps", [&] { remap(fixed, fraction); }, 0}},
+        rows);
+  }
+
+  // Motion of whole pixels, against memcpy; with the motion classified by the call, and before.
+  void AgainstCopy(const std::string& kind, const Motion& motion,
+                   std::vector<WarpBenchmarkRow>& rows) {
+    const WarpOptions options;
+    const MotionTiles tiles(motion.view);
+    const auto copy = [&] {
+      std::memcpy(out_.view.data, history_.view.data, history_.bytes.size());
+    };
+    Measure(
+        kind, "any", motion, options,
+        [&] { Warp(history_.Const(), motion.view, options, out_.view); }, {{"memcpy", copy, 0}},
+        rows);
+    Measure(
+        kind, "tiles given", motion, options,
+        [&] { Warp(history_.Const(), motion.view, tiles, options, out_.view); },
+        {{"memcpy", copy, kind == "static" ? kStaticTarget : 0}}, rows);
+  }
+
+ private:
+  static cv::Mat RemapMap(const Motion& motion) {
+    cv::Mat map(motion.view.height, motion.view.width, CV_32FC2);
+    for (int y = 0; y < map.rows; ++y) {
+      for (int x = 0; x < map.cols; ++x) {
+        const float* m = motion.view.Row(y) + 2 * x;
+        map.at<cv::Vec2f>(y, x) = {static_cast<float>(x) - m[0], static_cast<float>(y) - m[1]};
+      }
+    }
+    return map;
+  }
+
+  // Checks the result of `warp` against the reference, then races it.
+  void Measure(const std::string& kind, const std::string& name, const Motion& motion,
+               const WarpOptions& options, const std::function<void()>& warp,
+               std::vector<Competitor> competitors, std::vector<WarpBenchmarkRow>& rows) {
+    WarpReference(history_.Const(), motion.view, options, reference_.view);
+    warp();
+    const Difference difference = Compare(out_, reference_);
+    WarpBenchmarkRow row;
+    row.format = history_.view.format;
+    row.motion = kind;
+    row.filter = name;
+    row.worst_error = difference.worst;
+    row.exact = difference.exact;
+    if (difference.worst > kWarpRgba8Bound) {
+      throw Error("warp benchmark, " + std::string(Name(row.format)) + " " + kind + " " + name +
+                  ": differs from the reference by " + std::to_string(difference.worst) +
+                  " code values, at most " + std::to_string(kWarpRgba8Bound) + " expected");
+    }
+    if (!HasTarget(row.format)) {
+      for (Competitor& competitor : competitors) competitor.target = 0;
+    }
+    for (WarpBenchmarkRow& result : Race(row, repeats_, warp, competitors))
+      rows.push_back(std::move(result));
+  }
+
+  int repeats_;
+  Image history_;
+  Image out_;
+  Image reference_;
+  Image remapped_;
+  cv::Mat source_;
+  cv::Mat destination_;
+};
+
+}  // namespace
+
+bool WarpBenchmarkOptions::IsValid(std::string* why) const {
+  const char* reason = nullptr;
+  if (width < 4 || height < 4 || width > 16384 || height > 16384)
+    reason = "the size is outside of [4, 16384]";
+  if (repeats < 1) reason = "repeats is less than 1";
+  if (formats.empty()) reason = "no pixel format is given";
+  if (reason != nullptr && why != nullptr) *why = reason;
+  return reason == nullptr;
+}
+
+WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
+  std::string why;
+  if (!options.IsValid(&why)) throw Error("warp benchmark: " + why);
+  const int threads = cv::getNumThreads();
+  cv::setNumThreads(1);
+  const std::vector<std::int16_t> weights = MakeTable();
+  const Table table({TableFormat::kI16, weights.data()});
+  const std::vector<Variant> variants = MakeVariants(table);
+  WarpBenchmark benchmark;
+  benchmark.target = WarpTarget();
+  benchmark.opencv = cv::getVersionString();
+  Motion motion(options.width, options.height);
+  for (const PixelFormat format : options.formats) {
+    FormatBenchmark images(options, format);
+    for (const std::string kind : {"smooth", "uniform"}) {
+      FillMotion(kind, motion);
+      for (const Variant& variant : variants)
+        images.AgainstRemap(kind, motion, variant, benchmark.rows);
+    }
+    for (const std::string kind : {"whole", "static"}) {
+      FillMotion(kind, motion);
+      images.AgainstCopy(kind, motion, benchmark.rows);
+    }
+  }
+  cv::setNumThreads(threads);
+  return benchmark;
+}
+
+std::string FormatTable(const WarpBenchmark& benchmark) {
+  std::string text = "Warp on " + benchmark.target + ", OpenCV " + benchmark.opencv +
+                     ", one thread; ratio = competitor / warp\n";
+  char line[256];
+  std::snprintf(line, sizeof line, "%-8s %-8s %-13s %-18s %9s %9s %27s %7s  %s\n", "format",
+                "motion", "filter", "competitor", "warp ms", "other ms", "ratio median [min, max]",
+                "target", "against reference");
+  text += line;
+  for (const WarpBenchmarkRow& row : benchmark.rows) {
+    char target[32] = "";
+    if (row.target > 0)
+      std::snprintf(target, sizeof target, "%.1f%s", row.target, row.met() ? "" : "!");
+    char error[32] = "exact";
+    if (!row.exact) std::snprintf(error, sizeof error, "%.2g codes", row.worst_error);
+    std::snprintf(line, sizeof line,
+                  "%-8s %-8s %-13s %-18s %9.3f %9.3f %11.2f [%6.2f, %6.2f] %7s  %s\n",
+                  Name(row.format), row.motion.c_str(), row.filter.c_str(), row.competitor.c_str(),
+                  row.warp.median, row.other.median, row.ratio.median, row.ratio.min, row.ratio.max,
+                  target, error);
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace warplut

@@ -1,0 +1,62 @@
+// Times Warp against OpenCV's remap, on one thread, in one process, runs interleaved.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/warp.h"
+
+namespace warplut {
+
+struct WarpBenchmarkOptions {
+  int width = 1920;
+  int height = 1080;
+  int repeats = 15;  // timed runs of each call, >= 1
+  std::vector<PixelFormat> formats = {PixelFormat::kRgba8, PixelFormat::kRgba16F,
+                                      PixelFormat::kRgba32F, PixelFormat::kR32F};
+
+  bool IsValid(std::string* why) const;
+};
+
+// Milliseconds of processor time of the calling thread, per call.
+struct Timing {
+  double min = 0;
+  double median = 0;
+  double max = 0;
+};
+
+struct WarpBenchmarkRow {
+  PixelFormat format = PixelFormat::kRgba8;
+  std::string motion;      // "smooth", "uniform", "whole", "static"
+  std::string filter;      // of Warp: a registry name, with the lookup for a table
+  std::string competitor;  // what it is compared with
+  Timing warp;
+  Timing other;
+  Timing ratio;       // other / warp of runs made one after the other: above 1 where Warp is faster
+  double target = 0;  // what the median of `ratio` should reach; 0 if none is set
+  double worst_error = 0;  // largest difference from WarpReference, in 8-bit code values
+  bool exact = false;      // no difference at all
+
+  bool met() const { return ratio.median >= target; }
+};
+
+struct WarpBenchmark {
+  std::string target;  // instruction set of Warp
+  std::string opencv;  // version
+  std::vector<WarpBenchmarkRow> rows;
+};
+
+// Runs the benchmark. Before a call is timed its result is compared with WarpReference; an Error
+// names the row if the difference is beyond the documented bound.
+//
+// Motion: "smooth" has a different sub-pixel motion at each pixel, up to 8 pixels long; "uniform"
+// is one fractional motion; "whole" one of whole pixels; "static" zero. Competitors: cv::remap,
+// INTER_CUBIC, BORDER_REPLICATE with CV_32FC2 maps (motion comes as floats, so this is the one with
+// a target) and with CV_16SC2 maps made beforehand; for "static" and "whole" one memcpy of the
+// image. remap has no half floats: RGBA16F is compared with remap of RGBA32F.
+WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options);
+
+// The rows as a table for people, one line each.
+std::string FormatTable(const WarpBenchmark& benchmark);
+
+}  // namespace warplut

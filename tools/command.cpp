@@ -1,0 +1,26 @@
+#include "tools/command.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace warplut {
+
+void AddJsonOption(CLI::App& command, bool* json) {
+  command.add_flag("--json", *json, "Print JSON for programs instead of text for people");
+}
+
+void Print(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written || std::fflush(stdout) != 0) {
+    throw Error(std::string("standard output could not be written: ") + std::strerror(errno) + ".");
+  }
+}
+
+void PrintJson(const Json& document) { Print(document.dump(2) + "\n"); }
+
+void RequireUsage(bool valid, const std::string& why) {
+  if (!valid) throw UsageError(why);
+}
+
+}  // namespace warplut

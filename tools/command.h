@@ -1,0 +1,58 @@
+// What the subcommands of `warplut` share: how they are registered, how they end, how they print.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "datasets/error.h"
+
+namespace warplut {
+
+// The exit code of the program.
+enum class ExitCode : std::uint8_t {
+  kDone = 0,
+  kUsage = 1,   // the command line is wrong
+  kFailed = 2,  // an input, the machine or an interruption stopped it
+  kMissed = 3,  // done, but a stated target was missed
+};
+
+// A command line that parses and still makes no sense; ends the program with kUsage.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+using CommandRun = std::function<ExitCode()>;
+using Json = nlohmann::ordered_json;
+
+// Adds one subcommand to `app`. Parsing it sets `*run`, which must outlive `app`, to what it does.
+using CommandAdder = void (*)(CLI::App& app, CommandRun* run);
+
+void AddDatasetCommand(CLI::App& app, CommandRun* run);
+void AddTrainCommand(CLI::App& app, CommandRun* run);
+void AddBakeCommand(CLI::App& app, CommandRun* run);
+void AddEvalCommand(CLI::App& app, CommandRun* run);
+void AddCompareCommand(CLI::App& app, CommandRun* run);
+void AddBenchCommand(CLI::App& app, CommandRun* run);
+
+// The subcommands in the order of the data flow.
+inline constexpr CommandAdder kCommands[] = {AddDatasetCommand, AddTrainCommand,   AddBakeCommand,
+                                             AddEvalCommand,    AddCompareCommand, AddBenchCommand};
+
+// Adds the option `--json` that every command has.
+void AddJsonOption(CLI::App& command, bool* json);
+
+// Writes to standard output; an Error if that fails (a full disk, for example).
+void Print(std::string_view text);
+
+// Writes a JSON document and a newline to standard output.
+void PrintJson(const Json& document);
+
+// Throws UsageError unless `valid`; `why` is the sentence.
+void RequireUsage(bool valid, const std::string& why);
+
+}  // namespace warplut

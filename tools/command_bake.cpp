@@ -1,0 +1,101 @@
+// warplut bake: a fit to the files that a renderer compiles, uploads or reads.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "datasets/file.h"
+#include "datasets/image_io.h"
+#include "luts/bake.h"
+#include "luts/table_io.h"
+#include "runtime/table.h"
+#include "tools/command.h"
+#include "tools/lut_picture.h"
+#include "tools/table_format.h"
+
+namespace warplut {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BakeArguments {
+  std::string fit;
+  std::string out;
+  std::string format = Name(TableFormat::kI16);
+  double blend = kDefaultBlend;
+  bool json = false;
+};
+
+// The weights of all nodes as every kernel uses them.
+std::vector<float> NodeWeights(const TableView& view) {
+  const Table table(view);
+  std::vector<float> rows;
+  rows.reserve(kTableValues);
+  for (int row = 0; row < kRows; ++row) {
+    const auto dx = static_cast<float>(NodeOffset(row % kNodes));
+    const auto dy = static_cast<float>(NodeOffset(row / kNodes));
+    const Weights<float> weights = table.At(dx, dy, Lookup::kNearest);
+    rows.insert(rows.end(), weights.begin(), weights.end());
+  }
+  return rows;
+}
+
+std::string LoopText(const char* offsets, const Loop& loop, double blend) {
+  const std::string safe = loop.safe_warps ? fmt::format("{} safe warps", *loop.safe_warps)
+                                           : "any number of warps is safe";
+  return fmt::format("{}: gain {:.5f}, {}; closed loop with blend {:.2g}: {:.5f} ({})\n", offsets,
+                     loop.gain, safe, blend, loop.closed_loop_gain,
+                     loop.closed_loop_gain < 1 ? "stable" : "not stable");
+}
+
+ExitCode RunBake(const BakeArguments& arguments) {
+  const BakeOptions options{.format = TableFormatOf(arguments.format), .blend = arguments.blend};
+  std::string why;
+  RequireUsage(options.IsValid(&why), why);
+
+  const Fit fit = ReadFit(arguments.fit);
+  const BakedFiles files = Bake(fit, options);
+  const fs::path out = arguments.out;
+  CreateFolder(out);
+  WriteBaked(out, files);
+  const BakedTable table = LoadTable(out / (files.name + ".json")).table;
+  WriteImage(out / (files.name + ".png"), LutPicture(NodeWeights(table.view())), PixelType::kUint8);
+
+  const char* const endings[] = {".h", ".json", ".exr", ".png"};
+  if (arguments.json) {
+    Json written = Json::array();
+    for (const char* ending : endings) written.push_back((out / (files.name + ending)).string());
+    Json certificate = Json::parse(files.json)["certificate"];
+    certificate.erase("node_gains");
+    PrintJson({{"name", files.name},
+               {"format", arguments.format},
+               {"files", written},
+               {"certificate", certificate}});
+    return ExitCode::kDone;
+  }
+  for (const char* ending : endings) Print((out / (files.name + ending)).string() + "\n");
+  const Stability stability = CertifyStability(table.view(), options.blend);
+  Print(LoopText("any offset", stability.any, options.blend) +
+        LoopText("half offset", stability.half, options.blend));
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void AddBakeCommand(CLI::App& app, CommandRun* run) {
+  const auto arguments = std::make_shared<BakeArguments>();
+  CLI::App* command = app.add_subcommand(
+      "bake", "Make NAME.h, NAME.json, NAME.exr and NAME.png of a fit, with its certificate");
+  command->add_option("fit", arguments->fit, "The fit (JSON)")->required();
+  command->add_option("--out", arguments->out, "The folder to write to")->required();
+  command->add_option("--format", arguments->format, "How weights are stored")
+      ->check(CLI::IsMember(TableFormatNames()))
+      ->capture_default_str();
+  command
+      ->add_option("--blend", arguments->blend, "Share of the current frame in the certified loop")
+      ->capture_default_str();
+  AddJsonOption(*command, &arguments->json);
+  command->callback([arguments, run] { *run = [arguments] { return RunBake(*arguments); }; });
+}
+
+}  // namespace warplut

@@ -1,0 +1,82 @@
+// warplut compare: two folders of frames, PSNR and SSIM per frame and mean.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "datasets/image_io.h"
+#include "tools/command.h"
+#include "tools/compare.h"
+#include "tools/interrupt.h"
+#include "tools/progress.h"
+#include "tools/table_text.h"
+
+namespace warplut {
+namespace {
+
+struct CompareOptions {
+  std::string a, b;
+  int border = 0;
+  double min_psnr = 0;
+  double min_ssim = -1;
+  bool json = false;
+};
+
+// A PSNR in JSON: equal images have no finite one, so null.
+Json JsonPsnr(double psnr) { return std::isfinite(psnr) ? Json(psnr) : Json(nullptr); }
+
+Json ToJson(const FrameScore& score) {
+  return {{"name", score.name}, {"psnr", JsonPsnr(score.psnr)}, {"ssim", score.ssim}};
+}
+
+std::vector<std::string> ToRow(const FrameScore& score) {
+  const std::string psnr = std::isfinite(score.psnr) ? fmt::format("{:.2f}", score.psnr) : "equal";
+  return {score.name, psnr, fmt::format("{:.4f}", score.ssim)};
+}
+
+ExitCode Compare(const CompareOptions& options) {
+  const std::vector<FramePair> pairs = PairFrames(options.a, options.b);
+  std::vector<FrameScore> scores;
+  {
+    Progress progress("comparing", static_cast<double>(pairs.size()), "frames");
+    for (const FramePair& pair : pairs) {
+      ThrowIfInterrupted("compare", "nothing was printed");
+      scores.push_back(
+          CompareImages(pair.name, ReadImage(pair.a), ReadImage(pair.b), options.border));
+      progress.Add(1);
+    }
+  }
+  const FrameScore mean = MeanScore(scores);
+  const bool met = mean.psnr >= options.min_psnr && mean.ssim >= options.min_ssim;
+  if (options.json) {
+    Json frames = Json::array();
+    for (const FrameScore& score : scores) frames.push_back(ToJson(score));
+    PrintJson({{"frames", frames}, {"mean", ToJson(mean)}, {"targets_met", met}});
+  } else {
+    TextTable table{.header = {"frame", "PSNR dB", "SSIM"}, .rows = {}};
+    for (const FrameScore& score : scores) table.rows.push_back(ToRow(score));
+    table.rows.push_back(ToRow(mean));
+    Print(ToText(table));
+    if (!met) Print("A stated target was missed.\n");
+  }
+  return met ? ExitCode::kDone : ExitCode::kMissed;
+}
+
+}  // namespace
+
+void AddCompareCommand(CLI::App& app, CommandRun* run) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App* command =
+      app.add_subcommand("compare", "PSNR (RGB) and SSIM (luma) of two folders of frames");
+  command->add_option("dir_a", options->a, "Images, a folder of them, or a sequence")->required();
+  command->add_option("dir_b", options->b, "What to compare with; the same file names")->required();
+  command->add_option("--border", options->border, "Pixels at each edge that do not count")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  command->add_option("--min-psnr", options->min_psnr, "Target: the least mean PSNR in dB");
+  command->add_option("--min-ssim", options->min_ssim, "Target: the least mean SSIM");
+  AddJsonOption(*command, &options->json);
+  command->callback([options, run] { *run = [options] { return Compare(*options); }; });
+}
+
+}  // namespace warplut

@@ -1,0 +1,191 @@
+// warplut dataset: the built-in scenes, rendered; sequences on disk, inspected.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "datasets/sequence.h"
+#include "tools/command.h"
+#include "tools/interrupt.h"
+#include "tools/progress.h"
+#include "tools/scene_rendering.h"
+#include "tools/sequence_inspection.h"
+#include "tools/table_text.h"
+
+namespace warplut {
+namespace {
+
+struct RenderArguments {
+  RenderOptions options;
+  std::string selection;
+  std::vector<std::string> streams = StreamNames(Streams::kAll);
+  std::string out;
+  bool json = false;
+};
+
+ExitCode RunRender(RenderArguments arguments) {
+  RenderOptions& options = arguments.options;
+  Streams streams = Streams::kNone;
+  std::vector<std::string> scenes;
+  try {
+    streams = ParseStreams(arguments.streams);
+    scenes = SelectScenes(arguments.selection);
+  } catch (const Error& wrong) {
+    throw UsageError(wrong.what());
+  }
+  RequireUsage(Contains(streams, Streams::kColor),
+               "the streams to render lack color, which every sequence has.");
+  options.reference = (streams & Streams::kOutputGrid) != Streams::kNone;
+  std::string why;
+  RequireUsage(options.IsValid(&why), why);
+
+  const std::filesystem::path out = arguments.out;
+  Json rendered = Json::array();
+  for (const std::string& scene : scenes) {
+    Progress progress("rendering " + scene, options.frames, "frames");
+    int begun = 0;
+    RenderScene(scene, options, streams, out / scene, [&] {
+      ThrowIfInterrupted("render", "the same command goes on with the frames that are missing");
+      progress.Update(begun++);
+    });
+    rendered.push_back(
+        {{"scene", scene}, {"sequence", (out / scene / Sequence::kManifest).string()}});
+    if (!arguments.json) Print(fmt::format("{}\n", (out / scene / Sequence::kManifest).string()));
+  }
+  if (arguments.json) PrintJson({{"sequences", rendered}});
+  return ExitCode::kDone;
+}
+
+ExitCode RunScenes(bool json) {
+  if (json) {
+    Json scenes = Json::array();
+    for (const SceneInfo& scene : Scenes()) {
+      scenes.push_back(
+          {{"name", scene.name}, {"training", scene.training}, {"purpose", scene.purpose}});
+    }
+    PrintJson({{"scenes", scenes}});
+    return ExitCode::kDone;
+  }
+  for (const SceneInfo& scene : Scenes()) {
+    Print(fmt::format("{:<12} {:<9} {}\n", scene.name, scene.training ? "training" : "held out",
+                      scene.purpose));
+  }
+  return ExitCode::kDone;
+}
+
+Json ToJson(const Sequence& sequence, const std::vector<StreamInspection>& streams) {
+  Json list = Json::array();
+  for (const StreamInspection& stream : streams) {
+    list.push_back({{"name", stream.name},
+                    {"frames", stream.frames},
+                    {"least", stream.least},
+                    {"greatest", stream.greatest},
+                    {"mean", stream.mean},
+                    {"problems", stream.problems}});
+  }
+  return {{"name", sequence.name},
+          {"first", sequence.first},
+          {"frames", sequence.count},
+          {"render", {sequence.render.width, sequence.render.height}},
+          {"output", {sequence.output.width, sequence.output.height}},
+          {"color_space", sequence.color_space == ColorSpace::kLinear ? "linear" : "srgb"},
+          {"jitter_offsets", sequence.jitter.size()},
+          {"cameras", sequence.camera.size()},
+          {"cuts", sequence.cuts},
+          {"streams", list}};
+}
+
+std::string ToText(const Sequence& sequence, const std::vector<StreamInspection>& streams) {
+  std::string text = fmt::format(
+      "{}: frames {} to {}, {} x {} rendered, {} x {} wanted, {} colour, {} jitter offsets, {}, {} "
+      "cuts\n",
+      sequence.name, sequence.first, sequence.first + sequence.count - 1, sequence.render.width,
+      sequence.render.height, sequence.output.width, sequence.output.height,
+      sequence.color_space == ColorSpace::kLinear ? "linear" : "srgb", sequence.jitter.size(),
+      sequence.camera.empty() ? "no cameras" : "cameras", sequence.cuts.size());
+  TextTable table{.header = {"stream", "frames", "least", "greatest", "mean"}, .rows = {}};
+  for (const StreamInspection& stream : streams) {
+    table.rows.push_back(
+        {stream.name, fmt::format("{}", stream.frames), fmt::format("{:.4g}", stream.least),
+         fmt::format("{:.4g}", stream.greatest), fmt::format("{:.4g}", stream.mean)});
+  }
+  text += ToText(table) + "Depth is without background; motion is its length in pixels.\n";
+  for (const StreamInspection& stream : streams) {
+    for (const std::string& problem : stream.problems) text += problem + "\n";
+  }
+  return text;
+}
+
+ExitCode RunInspect(const std::string& path, bool json) {
+  const Sequence sequence = ReadSequence(path);
+  const double loads =
+      static_cast<double>(StreamNames(AvailableStreams(sequence)).size()) * sequence.count;
+  std::vector<StreamInspection> streams;
+  {
+    Progress progress("inspecting", loads, "files");
+    streams = InspectSequence(sequence, [&] {
+      ThrowIfInterrupted("inspect", "nothing was printed");
+      progress.Add(1);
+    });
+  }
+  if (json) {
+    PrintJson(ToJson(sequence, streams));
+  } else {
+    Print(ToText(sequence, streams));
+  }
+  std::size_t problems = 0;
+  for (const StreamInspection& stream : streams) problems += stream.problems.size();
+  if (problems > 0) {
+    throw Error(fmt::format("{} has {} missing or damaged frames of streams.", path, problems));
+  }
+  return ExitCode::kDone;
+}
+
+void AddRender(CLI::App& dataset, CommandRun* run) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  RenderOptions& options = arguments->options;
+  CLI::App* command =
+      dataset.add_subcommand("render", "Render built-in scenes into sequences, OUT/SCENE");
+  command->add_option("scene", arguments->selection, "A scene, or training, held-out, all")
+      ->required();
+  command->add_option("--out", arguments->out, "The folder for the sequences")->required();
+  command->add_option("--width", options.width, "Pixels of the output grid")->capture_default_str();
+  command->add_option("--height", options.height, "Pixels of the output grid")
+      ->capture_default_str();
+  command->add_option("--scale", options.scale, "Upscale factor, output / render")
+      ->capture_default_str();
+  command->add_option("--frames", options.frames, "Number of frames")->capture_default_str();
+  command->add_option("--samples", options.samples, "Samples per pixel of the reference")
+      ->capture_default_str();
+  command->add_option("--seed", options.seed, "Varies placement, textures and sample positions")
+      ->capture_default_str();
+  command->add_option("--threads", options.threads, "Threads (default: all)");
+  command
+      ->add_option("--streams", arguments->streams,
+                   "Which streams, separated by commas (default: all)")
+      ->delimiter(',');
+  AddJsonOption(*command, &arguments->json);
+  command->callback([arguments, run] { *run = [arguments] { return RunRender(*arguments); }; });
+}
+
+}  // namespace
+
+void AddDatasetCommand(CLI::App& app, CommandRun* run) {
+  CLI::App* dataset = app.add_subcommand("dataset", "Make and inspect sequences of frames");
+  dataset->require_subcommand(0, 1);
+  AddRender(*dataset, run);
+
+  const auto json = std::make_shared<bool>(false);
+  CLI::App* scenes = dataset->add_subcommand("scenes", "List the built-in scenes");
+  AddJsonOption(*scenes, json.get());
+  scenes->callback([json, run] { *run = [json] { return RunScenes(*json); }; });
+
+  const auto path = std::make_shared<std::string>();
+  CLI::App* inspect =
+      dataset->add_subcommand("inspect", "Load every frame; tell what is missing or damaged");
+  inspect->add_option("sequence", *path, "A sequence.json or its folder")->required();
+  AddJsonOption(*inspect, json.get());
+  inspect->callback(
+      [path, json, run] { *run = [path, json] { return RunInspect(*path, *json); }; });
+}
+
+}  // namespace warplut

@@ -1,0 +1,242 @@
+// warplut eval: a LUT against other filters, under protocols of repeated warps.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "datasets/file.h"
+#include "datasets/image_io.h"
+#include "datasets/luma.h"
+#include "luts/table_io.h"
+#include "tools/command.h"
+#include "tools/eval_report.h"
+#include "tools/image_set.h"
+#include "tools/interrupt.h"
+#include "tools/progress.h"
+#include "tools/protocol_filter.h"
+#include "tools/table_format.h"
+#include "tools/warp_picture.h"
+
+namespace warplut {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Pictures are made for so many of the images, spread over them, after so many warps.
+constexpr std::size_t kPictures = 4;
+constexpr int kPictureWarps = 24;
+
+struct EvalArguments {
+  std::string lut;
+  std::vector<std::string> images;
+  std::vector<int> warps = {6, 12, 24, 64};
+  std::vector<std::string> offsets = {Name(Offsets::kHalf), Name(Offsets::kRandom)};
+  std::vector<std::string> against = {"bilinear", "catmull-rom", "keys:-0.58", kBestKeys};
+  std::string lookup = Name(Lookup::kBilinear);
+  std::string format = Name(TableFormat::kI16);
+  int trajectories = 3;
+  int crop = 448;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  std::vector<std::string> targets;
+  std::string pictures;
+  bool markdown = false;
+  bool json = false;
+};
+
+std::vector<Protocol> Protocols(const EvalArguments& arguments) {
+  std::vector<Protocol> protocols;
+  for (const int warps : arguments.warps) {
+    for (const Offsets offsets : {Offsets::kHalf, Offsets::kRandom}) {
+      const auto& asked = arguments.offsets;
+      if (std::find(asked.begin(), asked.end(), Name(offsets)) == asked.end()) continue;
+      RequireUsage(
+          offsets == Offsets::kRandom || warps % 2 == 0,
+          fmt::format("--warps has {}; with half offsets only even numbers return to the start.",
+                      warps));
+      protocols.push_back({.warps = warps, .offsets = offsets});
+    }
+  }
+  return protocols;
+}
+
+std::vector<Image> LumaCrops(const std::vector<TrainImage>& images, int side) {
+  std::vector<Image> crops;
+  for (const TrainImage& image : images) {
+    if (image.image.width < kProtocolMinSide || image.image.height < kProtocolMinSide) {
+      throw Error(fmt::format("{} is {} x {}; expected at least {} x {}.", image.record.name,
+                              image.image.width, image.image.height, kProtocolMinSide,
+                              kProtocolMinSide));
+    }
+    crops.push_back(CenterCrop(Luma(image.image), side));
+  }
+  return crops;
+}
+
+// Scores every filter; progress counts warps.
+void Score(const EvalArguments& arguments, const std::vector<Image>& images,
+           const ProtocolFilter& lut, EvalReport& report) {
+  ProtocolOptions options{
+      .trajectories = arguments.trajectories, .seed = arguments.seed, .on_warps = {}};
+  double total = ScoreFilterWarps(report.protocols, options, images.size());
+  for (const std::string& name : arguments.against) {
+    total += name == kBestKeys ? ScoreBestKeysWarps(report.protocols, options, images.size())
+                               : ScoreFilterWarps(report.protocols, options, images.size());
+  }
+  Progress progress("warping", total, "warps");
+  options.on_warps = [&](int warps) {
+    ThrowIfInterrupted("eval", "nothing was printed");
+    progress.Add(warps);
+  };
+  report.judged = ScoreFilter(lut, report.protocols, images, options);
+  for (const std::string& name : arguments.against) {
+    report.others.push_back(
+        name == kBestKeys ? ScoreBestKeys(report.protocols, images, options)
+                          : ScoreFilter(NamedFilter(name), report.protocols, images, options));
+  }
+}
+
+void WritePictures(const EvalArguments& arguments, const std::vector<TrainImage>& images,
+                   const ProtocolFilter& lut) {
+  const fs::path folder = arguments.pictures;
+  CreateFolder(folder);
+  const ProtocolFilter filters[] = {NamedFilter("catmull-rom"), lut};
+  const std::size_t count = std::min(kPictures, images.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const TrainImage& image = images[i * images.size() / count];
+    std::string name = image.record.name;
+    std::replace(name.begin(), name.end(), '/', '-');
+    for (const Offsets offsets : {Offsets::kHalf, Offsets::kRandom}) {
+      const Protocol protocol{.warps = kPictureWarps, .offsets = offsets};
+      const fs::path file = folder / fmt::format("{}-{}-{}.png", fs::path(name).stem().string(),
+                                                 kPictureWarps, Name(offsets));
+      WriteImage(file, WarpPicture(image.image, filters, protocol, arguments.seed),
+                 PixelType::kUint8);
+    }
+  }
+}
+
+void CheckArguments(const EvalArguments& arguments) {
+  RequireUsage(
+      arguments.crop == 0 || arguments.crop >= kProtocolMinSide,
+      fmt::format("--crop is {}; expected 0 or at least {}.", arguments.crop, kProtocolMinSide));
+  for (const std::string& name : arguments.against) {
+    if (name != kBestKeys) NamedFilter(name);
+  }
+  for (const std::string& target : arguments.targets) {
+    const std::string against = ParseScoreTarget(target).against;
+    RequireUsage(std::find(arguments.against.begin(), arguments.against.end(), against) !=
+                     arguments.against.end(),
+                 fmt::format("the target '{}' names a filter that --against does not.", target));
+  }
+}
+
+ExitCode RunEval(const EvalArguments& arguments) {
+  try {
+    CheckArguments(arguments);
+  } catch (const Error& wrong) {
+    throw UsageError(wrong.what());
+  }
+  std::optional<tbb::global_control> limit;
+  if (arguments.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(arguments.threads));
+  }
+  EvalReport report;
+  report.lut = arguments.lut;
+  report.lookup = arguments.lookup;
+  report.crop = arguments.crop;
+  report.protocols = Protocols(arguments);
+
+  const LoadedTable loaded = LoadTable(arguments.lut, TableFormatOf(arguments.format));
+  report.name = loaded.name;
+  const Table table(loaded.table.view());
+  const Lookup lookup =
+      arguments.lookup == Name(Lookup::kNearest) ? Lookup::kNearest : Lookup::kBilinear;
+  const ProtocolFilter lut =
+      RuntimeFilter(loaded.name, {.filter = Filter::kLut, .table = &table, .lookup = lookup});
+
+  const std::vector<TrainImage> images =
+      LoadImages({arguments.images.begin(), arguments.images.end()});
+  report.images = images.size();
+  Score(arguments, LumaCrops(images, arguments.crop), lut, report);
+  for (const std::string& text : arguments.targets) {
+    const auto missed =
+        MissedProtocols(ParseScoreTarget(text), report.judged, report.others, report.protocols);
+    report.missed.insert(report.missed.end(), missed.begin(), missed.end());
+  }
+  if (!arguments.pictures.empty()) WritePictures(arguments, images, lut);
+
+  if (arguments.json) {
+    PrintJson(ToJson(report));
+  } else if (arguments.markdown) {
+    Print(ToMarkdown(ScoreTable(report)));
+  } else {
+    Print(fmt::format("{} on {} images, {} lookup\n", report.name, report.images, report.lookup) +
+          ToText(ScoreTable(report)));
+    for (const std::string& sentence : report.missed) Print("missed: " + sentence + "\n");
+  }
+  return report.missed.empty() ? ExitCode::kDone : ExitCode::kMissed;
+}
+
+}  // namespace
+
+void AddEvalCommand(CLI::App& app, CommandRun* run) {
+  const auto arguments = std::make_shared<EvalArguments>();
+  EvalArguments& a = *arguments;
+  CLI::App* command =
+      app.add_subcommand("eval", "Judge a LUT by repeated warps, against other filters");
+  command
+      ->add_option("--lut", a.lut,
+                   "A fit, a baked table (.json), or an .exr in the released layout")
+      ->required();
+  command
+      ->add_option("--images", a.images, "Images, folders of them, or sequences (their references)")
+      ->required();
+  command->add_option("--warps", a.warps, "How often to warp")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  command
+      ->add_option("--offsets", a.offsets,
+                   "half: by (1/2, 1/2) and back; random: any, back to the start")
+      ->delimiter(',')
+      ->check(CLI::IsMember({Name(Offsets::kHalf), Name(Offsets::kRandom)}))
+      ->capture_default_str();
+  command
+      ->add_option("--against", a.against,
+                   "bilinear, catmull-rom, keys:A, best-keys (the best A each time)")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--lookup", a.lookup, "In the table")
+      ->check(CLI::IsMember({Name(Lookup::kNearest), Name(Lookup::kBilinear)}))
+      ->capture_default_str();
+  command->add_option("--format", a.format, "How a fit or an .exr is stored before it is judged")
+      ->check(CLI::IsMember(TableFormatNames()))
+      ->capture_default_str();
+  command->add_option("--trajectories", a.trajectories, "Random trajectories for each image")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command
+      ->add_option("--crop", a.crop,
+                   "Side of the window judged in the middle of each image; 0: all of it")
+      ->check(CLI::Range(0, 1 << 15))
+      ->capture_default_str();
+  command->add_option("--seed", a.seed, "Of the random trajectories")->capture_default_str();
+  command->add_option("--threads", a.threads, "Threads (default: all)")->check(CLI::Range(0, 1024));
+  command->add_option(
+      "--target", a.targets,
+      "FILTER,MARGIN[,half|random[,MAX_WARPS]]: the SSIM must exceed FILTER's by more than MARGIN");
+  command->add_option("--pictures", a.pictures,
+                      "Folder for pictures: original, Catmull-Rom and the LUT after 24 warps");
+  CLI::Option* markdown =
+      command->add_flag("--markdown", a.markdown, "Print the table as Markdown");
+  AddJsonOption(*command, &a.json);
+  markdown->excludes("--json");
+  command->callback([arguments, run] { *run = [arguments] { return RunEval(*arguments); }; });
+}
+
+}  // namespace warplut

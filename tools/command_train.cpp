@@ -1,0 +1,178 @@
+// warplut train: images to a fit.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <regex>
+
+#include "datasets/file.h"
+#include "tools/command.h"
+#include "tools/image_set.h"
+#include "tools/interrupt.h"
+#include "tools/progress.h"
+#include "tools/table_text.h"
+#include "train/trainer.h"
+
+namespace warplut {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TrainArguments {
+  TrainOptions options;
+  std::vector<std::string> data;
+  std::string out;
+  std::string name;
+  std::string objective = "warp";
+  std::string optimizer = Name(Optimizer::kLbfgs);
+  bool json = false;
+};
+
+// The folder of `out` must take a file; better to know before the training than after it.
+void RequireWritableFolder(const fs::path& out) {
+  const fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
+  CreateFolder(folder);
+  if (access(folder.c_str(), W_OK) != 0) {
+    throw Error(fmt::format("{} cannot be written to; expected a folder for {}.", folder.string(),
+                            out.filename().string()));
+  }
+}
+
+// Rows are filters, columns the protocols of the validation.
+TextTable ValidationTable(const std::vector<FitScore>& scores) {
+  TextTable table{.header = {"SSIM after"}, .rows = {}};
+  for (const FitScore& score : scores) {
+    const std::string column = fmt::format("{} {}", score.warps, score.offsets);
+    auto place = std::find(table.header.begin() + 1, table.header.end(), column);
+    if (place == table.header.end()) place = table.header.insert(place, column);
+    const auto index = static_cast<std::size_t>(place - table.header.begin());
+    auto row = std::find_if(table.rows.begin(), table.rows.end(),
+                            [&](const auto& cells) { return cells[0] == score.filter; });
+    if (row == table.rows.end()) row = table.rows.insert(row, {score.filter});
+    row->resize(std::max(row->size(), index + 1));
+    (*row)[index] = fmt::format("{:.4f}", score.ssim);
+  }
+  return table;
+}
+
+Json ToJson(const Fit& fit, const std::string& out) {
+  Json validation = Json::array();
+  for (const FitScore& score : fit.validation) {
+    validation.push_back({{"filter", score.filter},
+                          {"warps", score.warps},
+                          {"offsets", score.offsets},
+                          {"ssim", score.ssim}});
+  }
+  const FitLoss last = fit.loss.empty() ? FitLoss{} : fit.loss.back();
+  return {{"fit", out},
+          {"name", fit.name},
+          {"scale", fit.scale},
+          {"images", fit.data.size()},
+          {"seconds", last.seconds},
+          {"evaluations", last.evaluations},
+          {"loss", last.loss},
+          {"validation_loss", last.validation},
+          {"keys_a", fit.keys_a},
+          {"validation", validation}};
+}
+
+void PrintText(const Fit& fit, const std::string& out) {
+  const FitLoss last = fit.loss.empty() ? FitLoss{} : fit.loss.back();
+  Print(fmt::format(
+      "{}: trained in {:.1f} s with {} evaluations on {} images; loss {:.6f}, validation {:.6f}, "
+      "best Keys a = {:.3f}\n",
+      out, last.seconds, last.evaluations, fit.data.size(), last.loss, last.validation,
+      fit.keys_a));
+  if (!fit.validation.empty()) Print(ToText(ValidationTable(fit.validation)));
+}
+
+ExitCode RunTrain(TrainArguments arguments) {
+  TrainOptions& options = arguments.options;
+  const fs::path out = arguments.out;
+  const std::string name = arguments.name.empty() ? out.stem().string() : arguments.name;
+  options.optimizer =
+      arguments.optimizer == Name(Optimizer::kAdam) ? Optimizer::kAdam : Optimizer::kLbfgs;
+  options.checkpoint = out.string() + ".checkpoint";
+  std::string why;
+  RequireUsage(options.IsValid(&why), why);
+  RequireUsage(
+      std::regex_match(name, std::regex("[A-Za-z_][A-Za-z0-9_]*")),
+      fmt::format(
+          "the fit's name is '{}'; expected letters, digits and _, the first not a digit (--name "
+          "sets it).",
+          name));
+  RequireWritableFolder(out);
+  const std::vector<TrainImage> images = LoadImages({arguments.data.begin(), arguments.data.end()});
+  ThrowIfInterrupted("train", "nothing was written");
+
+  TrainResult result;
+  {
+    Progress progress("training", 1, "");
+    result = Train(options, images, [&](const TrainProgress& state) {
+      progress.Update(state.fraction,
+                      fmt::format("loss {:.6f}, validation {:.6f}", state.loss, state.validation));
+      return !Interrupted();
+    });
+  }
+  if (result.interrupted) {
+    throw Error(
+        fmt::format("training was interrupted; the same command with --resume goes on from {}.",
+                    options.checkpoint.string()));
+  }
+  result.fit.name = name;
+  WriteFit(out, result.fit);
+  if (arguments.json) {
+    PrintJson(ToJson(result.fit, arguments.out));
+  } else {
+    PrintText(result.fit, arguments.out);
+  }
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void AddTrainCommand(CLI::App& app, CommandRun* run) {
+  const auto arguments = std::make_shared<TrainArguments>();
+  TrainOptions& options = arguments->options;
+  CLI::App* command =
+      app.add_subcommand("train", "Fit resampling weights to images: writes a fit (JSON)");
+  command
+      ->add_option("--data", arguments->data,
+                   "Images, folders of them, or sequences (their references)")
+      ->required();
+  command
+      ->add_option("--out", arguments->out,
+                   "The fit to write; beside it, FIT.checkpoint while training")
+      ->required();
+  command->add_option("--name", arguments->name,
+                      "Identifier of the LUT (default: the stem of --out)");
+  command->add_option("--scale", options.scale, "Upscale factor, output / render, in [1, 4]")
+      ->capture_default_str();
+  command->add_option("--objective", arguments->objective, "What is minimised")
+      ->check(CLI::IsMember({"warp"}))
+      ->capture_default_str();
+  command
+      ->add_option("--horizons", options.horizons,
+                   "Even numbers of warps, ascending (default: by scale)")
+      ->delimiter(',');
+  command->add_option("--optimizer", arguments->optimizer, "How")
+      ->check(CLI::IsMember({Name(Optimizer::kLbfgs), Name(Optimizer::kAdam)}))
+      ->capture_default_str();
+  command->add_option("--gain-bound", options.gain_bound,
+                      "Largest gain of any node (default: by horizons)");
+  command->add_option("--crops", options.crops,
+                      "Number of crops to train on (default: the trainer's)");
+  command->add_option("--iterations", options.iterations, "Of the optimizer (default: its own)");
+  command->add_option("--max-seconds", options.max_seconds,
+                      "Time limit of the training (default: none)");
+  command->add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
+  command->add_option("--threads", options.threads, "Threads (default: all)");
+  command->add_flag("--resume", options.resume,
+                    "Go on from the checkpoint of an interrupted training");
+  AddJsonOption(*command, &arguments->json);
+  command->callback([arguments, run] { *run = [arguments] { return RunTrain(*arguments); }; });
+}
+
+}  // namespace warplut

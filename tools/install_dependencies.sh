@@ -1,0 +1,63 @@
+#!/bin/sh
+# Installs what the build needs from Debian, if any of it is missing. Needs no network when nothing is missing.
+# usage: tools/install_dependencies.sh [--list]      --list prints the packages and installs nothing
+# shellcheck disable=SC2086  # lists of packages are split on purpose
+set -eu
+
+# The one list of packages. openimageio-tools: the CMake package of libopenimageio-dev names its programs.
+packages="
+  g++ cmake ninja-build
+  libceres-dev libeigen3-dev
+  libopencv-dev
+  libopenimageio-dev openimageio-tools
+  libembree-dev libtbb-dev
+  libhwy-dev
+  libcli11-dev nlohmann-json3-dev libfmt-dev
+  libgtest-dev libgmock-dev libbenchmark-dev
+"
+
+case "${1:-}" in
+  --list)
+    printf '%s\n' $packages
+    exit 0
+    ;;
+  '') ;;
+  *)
+    echo "install_dependencies.sh: '$1' is not an option; the only one is --list." >&2
+    exit 1
+    ;;
+esac
+
+if ! command -v dpkg-query > /dev/null; then
+  echo "install_dependencies.sh: this is not Debian or a relative of it, so install these packages yourself:" \
+    $packages >&2
+  exit 1
+fi
+
+missing=
+for package in $packages; do
+  state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2> /dev/null || true)
+  if [ "$state" != installed ]; then missing="$missing $package"; fi
+done
+if [ -z "$missing" ]; then exit 0; fi
+
+as_root=
+if [ "$(id -u)" -ne 0 ]; then
+  if command -v sudo > /dev/null && { [ -t 0 ] || sudo --non-interactive true 2> /dev/null; }; then
+    as_root=sudo
+  else
+    echo "install_dependencies.sh: these Debian packages are missing and need root to install:$missing" >&2
+    exit 1
+  fi
+fi
+
+echo "Installing from Debian:$missing"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+if ! { $as_root apt-get update &&
+  $as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --no-install-recommends $missing; } > "$log" 2>&1; then
+  tail -n 20 "$log" >&2
+  echo "install_dependencies.sh: apt-get could not install:$missing" >&2
+  exit 1
+fi

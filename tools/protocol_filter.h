@@ -1,0 +1,22 @@
+// The runtime's filters, as the protocols take them.
+#pragma once
+
+#include <string>
+
+#include "runtime/warp.h"
+#include "tools/warp_protocol.h"
+
+namespace warplut {
+
+// A filter that warps with the runtime's Warp in float, with these options (valid; a table outlives
+// the filter).
+ProtocolFilter RuntimeFilter(const std::string& name, const WarpOptions& options);
+
+// A filter named on a command line: "bilinear", "catmull-rom" or "keys:A" with A in [-1, 0]. An
+// Error names what else was found.
+ProtocolFilter NamedFilter(const std::string& name);
+
+// "keys:-0.5800"
+std::string KeysName(double a);
+
+}  // namespace warplut

@@ -1,0 +1,154 @@
+#!/bin/sh
+# From a bare Debian to a trained, baked and judged x2 LUT, in about 15 minutes on 2 cores.
+# usage: tools/quickstart.sh [--data DIR] [OUT]
+#   --data DIR   also judge the LUT on the sequences and image folders in DIR (default: $WARPLUT_DATA)
+#   OUT          where everything goes (default: out/quickstart)
+# Steps that are complete are skipped when it runs again; remove OUT to start anew. Ends with 3 if the LUT misses a
+# target: better than Keys a = -0.58 everywhere, and at random offsets by more than 0.002 SSIM than the best Keys
+# kernel for 6, 12 and 24 warps.
+set -eu
+
+data=${WARPLUT_DATA:-}
+out=
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --data)
+      if [ $# -lt 2 ]; then
+        echo "quickstart.sh: --data needs a folder." >&2
+        exit 1
+      fi
+      data=$2
+      shift
+      ;;
+    -*)
+      echo "quickstart.sh: '$1' is not an option; expected [--data DIR] [OUT]." >&2
+      exit 1
+      ;;
+    *) out=$1 ;;
+  esac
+  shift
+done
+if [ -n "$data" ]; then
+  if [ ! -d "$data" ]; then
+    echo "quickstart.sh: $data is not a folder." >&2
+    exit 1
+  fi
+  data=$(cd "$data" && pwd)
+fi
+if [ -n "$out" ]; then
+  mkdir -p "$out"
+  out=$(cd "$out" && pwd)
+fi
+cd "$(dirname "$0")/.."
+: "${out:=$PWD/out/quickstart}"
+mkdir -p "$out/done" "$out/tables"
+
+warplut=build/release/tools/warplut
+name=warplut_x2
+train_seconds=85
+missed=no
+
+begun=$(date +%s)
+# step NAME COMMAND...: runs the command unless it was completed before with the same words, and tells its time.
+step() {
+  step_name=$1
+  shift
+  if [ "$(cat "$out/done/$step_name" 2> /dev/null)" = "$*" ]; then
+    echo "-- $step_name: done before"
+    return
+  fi
+  echo "-- $step_name"
+  step_begun=$(date +%s)
+  "$@"
+  echo "$*" > "$out/done/$step_name"
+  echo "   $(($(date +%s) - step_begun)) s"
+}
+
+build() {
+  log=$out/build.log
+  if ! { cmake --preset release &&
+    cmake --build --preset release --parallel "$(nproc)" --target warplut; } > "$log" 2>&1; then
+    tail -n 30 "$log" >&2
+    echo "quickstart.sh: the build failed; $log has all of it." >&2
+    exit 1
+  fi
+}
+
+render() { # render SELECTION FRAMES SAMPLES
+  "$warplut" dataset render "$1" --out "$out/$1" --width 960 --height 540 --frames "$2" --samples "$3" \
+    --streams color,reference > "$out/render-$1.log"
+}
+
+train() { # train SECONDS
+  resume=
+  if [ -f "$out/$name.json.checkpoint" ]; then resume=--resume; fi
+  "$warplut" train --scale 2 --data "$out"/training/* --out "$out/$name.json" --max-seconds "$1" $resume
+}
+
+bake() { "$warplut" bake "$out/$name.json" --out "$out/baked"; }
+
+judge() { # judge TABLE IMAGES...
+  table=$1
+  shift
+  code=0
+  "$warplut" eval --lut "$out/baked/$name.json" --images "$@" --pictures "$out/pictures" \
+    --target keys:-0.58,0 --target best-keys,0.002,random,24 --markdown > "$out/tables/$table.part" || code=$?
+  case $code in
+    0 | 3) mv "$out/tables/$table.part" "$out/tables/$table.md" ;;
+    *) exit "$code" ;;
+  esac
+  echo "$code" > "$out/tables/$table.code"
+}
+
+cost() {
+  code=0
+  "$warplut" bench warp --repeats 5 --formats rgba8 > "$out/cost.txt" || code=$?
+  if [ "$code" -ne 0 ] && [ "$code" -ne 3 ]; then exit "$code"; fi
+}
+
+# The example program, compiled against the header that was baked just now instead of the one that ships.
+example() {
+  mkdir -p "$out/include/luts/baked"
+  cp "$out/baked/$name.h" "$out/include/luts/baked/"
+  "${CXX:-c++}" -std=c++20 -O2 -I "$out/include" -I . runtime/example/warp_example.cpp \
+    build/release/runtime/libwarplut_runtime.a -lhwy -o "$out/warp_example"
+  "$out/warp_example"
+}
+
+# show TABLE TITLE
+show() {
+  echo
+  echo "$2"
+  cat "$out/tables/$1.md"
+  if [ "$(cat "$out/tables/$1.code")" = 3 ]; then
+    echo "A target was missed."
+    missed=yes
+  fi
+}
+
+tools/install_dependencies.sh
+echo "-- build"
+build
+echo "   $(($(date +%s) - begun)) s since the start"
+step render-training render training 3 16
+step render-held-out render held-out 3 16
+step train train "$train_seconds"
+step bake bake
+step judge-held-out judge quickstart-held-out "$out"/held-out/*
+if [ -n "$data" ]; then step judge-data judge quickstart-data "$data"/*/; fi
+step cost cost
+step example example
+
+show quickstart-held-out "SSIM on built-in scenes that were held out (the LUT is $name):"
+if [ -n "$data" ]; then show quickstart-data "SSIM on the images in $data:"; fi
+echo
+cat "$out/cost.txt"
+cat << END
+
+All of it took $(($(date +%s) - begun)) s. Look at
+  $out/baked/$name.h      the LUT for a C++ renderer; .json and .exr hold the same table
+  $out/baked/$name.png    the LUT as a picture: one tile for each tap, orange positive, blue negative
+  $out/pictures           original, Catmull-Rom and the LUT after 24 warps, side by side
+  $out/tables             the tables above
+END
+if [ "$missed" = yes ]; then exit 3; fi

@@ -1,0 +1,63 @@
+#include "tools/scene_rendering.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "datasets/error.h"
+#include "datasets/sequence_writer.h"
+
+namespace warplut {
+
+std::vector<std::string> SelectScenes(const std::string& selection) {
+  std::vector<std::string> selected;
+  std::string known;
+  for (const SceneInfo& scene : Scenes()) {
+    known += fmt::format("{}, ", scene.name);
+    if (selection == "all" || selection == scene.name ||
+        selection == (scene.training ? "training" : "held-out")) {
+      selected.emplace_back(scene.name);
+    }
+  }
+  if (selected.empty()) {
+    throw Error(fmt::format("'{}' is not a scene; expected {}training, held-out or all.", selection,
+                            known));
+  }
+  return selected;
+}
+
+void RenderScene(const std::string& scene, const RenderOptions& options, Streams which,
+                 const std::filesystem::path& folder, const std::function<void()>& on_frame) {
+  const SceneRenderer renderer(scene, options);
+  Sequence sequence = StandardSequence(scene, 0, options.frames,
+                                       {renderer.render_width(), renderer.render_height()},
+                                       {options.width, options.height}, ColorSpace::kSrgb, which,
+                                       renderer.near_plane(), renderer.far_plane());
+  sequence.jitter = renderer.Jitter();
+  sequence.cuts = renderer.Cuts();
+  for (int index = 0; index < options.frames; ++index) {
+    sequence.camera.push_back(renderer.CameraAt(index));
+  }
+  const SequenceWriter writer(folder, sequence);
+  for (int index = 0; index < options.frames; ++index) {
+    on_frame();
+    if (!writer.Has(index)) writer.Write(index, renderer.Render(index));
+  }
+  on_frame();
+  writer.Finish();
+}
+
+Streams ParseStreams(const std::vector<std::string>& names) {
+  const std::vector<std::string> known = StreamNames(Streams::kAll);
+  Streams streams = Streams::kNone;
+  for (const std::string& name : names) {
+    const auto place = std::find(known.begin(), known.end(), name);
+    if (place == known.end()) {
+      throw Error(fmt::format("'{}' is not a stream; expected {}.", name, fmt::join(known, ", ")));
+    }
+    streams = streams | static_cast<Streams>(1 << (place - known.begin()));
+  }
+  return streams;
+}
+
+}  // namespace warplut

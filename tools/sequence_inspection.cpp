@@ -1,0 +1,90 @@
+#include "tools/sequence_inspection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "datasets/error.h"
+
+namespace warplut {
+namespace {
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
+  double sum = 0;
+  std::int64_t count = 0;
+
+  void Add(double value) {
+    least = std::min(least, value);
+    greatest = std::max(greatest, value);
+    sum += value;
+    ++count;
+  }
+};
+
+constexpr Streams kEach[] = {Streams::kColor,          Streams::kDepth,
+                             Streams::kMotion,         Streams::kReference,
+                             Streams::kReferenceDepth, Streams::kReferenceMotion};
+
+const Image& StreamImage(const Frame& frame, Streams stream) {
+  switch (stream) {
+    case Streams::kDepth:
+      return frame.depth;
+    case Streams::kMotion:
+      return frame.motion;
+    case Streams::kReference:
+      return frame.reference;
+    case Streams::kReferenceDepth:
+      return frame.reference_depth;
+    case Streams::kReferenceMotion:
+      return frame.reference_motion;
+    default:
+      return frame.color;
+  }
+}
+
+void AddImage(const Image& image, Range& range) {
+  if (image.channels == 2) {
+    for (std::size_t i = 0; i < image.data.size(); i += 2) {
+      range.Add(std::hypot(image.data[i], image.data[i + 1]));
+    }
+    return;
+  }
+  for (const float value : image.data) {
+    if (std::isfinite(value)) range.Add(value);
+  }
+}
+
+}  // namespace
+
+std::vector<StreamInspection> InspectSequence(const Sequence& sequence,
+                                              const std::function<void()>& on_load) {
+  const Streams available = AvailableStreams(sequence);
+  std::vector<StreamInspection> inspections;
+  for (const Streams stream : kEach) {
+    if (!Contains(available, stream)) continue;
+    StreamInspection inspection;
+    inspection.name = StreamNames(stream).front();
+    Range range;
+    for (int index = 0; index < sequence.count; ++index) {
+      try {
+        AddImage(StreamImage(LoadFrame(sequence, index, stream), stream), range);
+        ++inspection.frames;
+      } catch (const Error& problem) {
+        inspection.problems.emplace_back(problem.what());
+      }
+      on_load();
+    }
+    if (range.count > 0) {
+      inspection.least = range.least;
+      inspection.greatest = range.greatest;
+      inspection.mean = range.sum / static_cast<double>(range.count);
+    }
+    inspections.push_back(std::move(inspection));
+  }
+  return inspections;
+}
+
+}  // namespace warplut

@@ -1,0 +1,83 @@
+#!/bin/sh
+# Installs what is missing, builds and runs every test. The last line is 'N passed, N failed, N skipped'.
+# usage: tools/test.sh [--full]
+#   --full   also builds and tests under the sanitizers and the runtime alone, as continuous integration does
+# A build that fails counts as one failed test. Tests on recorded sequences run if WARPLUT_DATA names their folder.
+set -eu
+cd "$(dirname "$0")/.."
+
+full=no
+case "${1:-}" in
+  --full) full=yes ;;
+  '') ;;
+  *)
+    echo "test.sh: '$1' is not an option; the only one is --full." >&2
+    exit 1
+    ;;
+esac
+
+jobs=$(nproc)
+passed=0
+failed=0
+skipped=0
+started=$(date +%s)
+
+# Whatever happens, the totals are the last line.
+finish() {
+  status=$?
+  if [ "$status" -ne 0 ] && [ "$failed" -eq 0 ]; then failed=1; fi
+  echo "$passed passed, $failed failed, $skipped skipped"
+  if [ "$failed" -ne 0 ]; then exit 1; fi
+}
+trap finish EXIT
+trap 'exit 1' INT TERM
+
+step() { echo "== $* ($(($(date +%s) - started)) s)"; }
+
+# configure_and_build PRESET [TARGET...]
+configure_and_build() {
+  preset=$1
+  shift
+  step "build $preset"
+  log=build/$preset-configure.log
+  mkdir -p build
+  if ! cmake --preset "$preset" > "$log" 2>&1; then
+    cat "$log"
+    exit 1
+  fi
+  if [ $# -gt 0 ]; then set -- --target "$@"; fi
+  cmake --build --preset "$preset" --parallel "$jobs" "$@" -- --quiet
+}
+
+# run_tests PRESET [CTEST OPTION...]: adds to the totals, prints why tests were skipped.
+run_tests() {
+  preset=$1
+  shift
+  step "test $preset"
+  report=$PWD/build/$preset/junit.xml
+  rm -f "$report"
+  ctest --preset "$preset" --parallel "$jobs" --output-junit "$report" --progress "$@" \
+    > "build/$preset/ctest.log" 2>&1 || true
+  if [ ! -s "$report" ]; then
+    tail -n 20 "build/$preset/ctest.log"
+    exit 1
+  fi
+  awk -f tools/junit_summary.awk -v what=details "$report"
+  read -r run_passed run_failed run_skipped <<END
+$(awk -f tools/junit_summary.awk -v what=counts "$report")
+END
+  passed=$((passed + run_passed))
+  failed=$((failed + run_failed))
+  skipped=$((skipped + run_skipped))
+}
+
+tools/install_dependencies.sh
+configure_and_build ci
+run_tests ci
+if [ "$full" = yes ]; then
+  configure_and_build runtime-only
+  run_tests runtime-only
+  configure_and_build asan-ubsan test_luts test_runtime test_datasets
+  run_tests asan-ubsan --exclude-regex '_NOT_BUILT$'
+fi
+step "done"

@@ -1,0 +1,63 @@
+// A warp by one displacement for the whole image, and its adjoint: the inner loop of the training.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "luts/contract.h"
+
+namespace warplut {
+
+// A square-free plane with a border of kBorder pixels on every side, all rows of one stride. Pixel (x, y), also of the
+// border, is at origin()[y * stride() + x].
+class BorderedPlane {
+ public:
+  static constexpr int kBorder = 4;
+
+  BorderedPlane(int width, int height)
+      : width_(width),
+        height_(height),
+        stride_((width + 2 * kBorder + kLanes - 1) / kLanes * kLanes + kLanes),
+        data_(static_cast<std::size_t>(stride_) * (height + 2 * kBorder) + kLanes) {}
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::ptrdiff_t stride() const { return stride_; }
+  float* origin() { return data_.data() + kBorder * stride_ + kBorder; }
+  const float* origin() const { return data_.data() + kBorder * stride_ + kBorder; }
+  float* row(int y) { return origin() + y * stride_; }
+  const float* row(int y) const { return origin() + y * stride_; }
+
+  void Clear() { std::fill(data_.begin(), data_.end(), 0.0f); }
+
+ private:
+  static constexpr int kLanes = 16;
+
+  int width_;
+  int height_;
+  std::ptrdiff_t stride_;
+  std::vector<float> data_;
+};
+
+// One warp: every pixel p becomes the sum of weight k times the texel at p + (cell_x + TapX(k), cell_y + TapY(k)).
+struct Stencil {
+  int cell_x = 0;  // whole part of the sampled position, -1 or 0
+  int cell_y = 0;
+  Weights<float> weights{};
+};
+
+// Repeats the edge pixels into the border (a clamped border), as far as a stencil reads.
+void FillBorder(BorderedPlane& plane);
+
+// out = stencil of `in`, clamped to [0, 1], border filled. `in` has its border filled; the planes are of one size and
+// different.
+void ApplyStencil(const Stencil& stencil, const BorderedPlane& in, BorderedPlane& out);
+
+// The adjoint. `in` and `out` as after ApplyStencil; `out_gradient` is d(loss)/d(out) inside the image and zero in the
+// border, and is overwritten (clamped pixels pass nothing). Writes d(loss)/d(in), border folded into the edges and
+// cleared, to `in_gradient` and adds d(loss)/d(weights) to `weight_gradient`.
+void AdjointStencil(const Stencil& stencil, const BorderedPlane& in, const BorderedPlane& out,
+                    BorderedPlane& out_gradient, BorderedPlane& in_gradient,
+                    Weights<double>& weight_gradient);
+
+}  // namespace warplut

@@ -1,0 +1,45 @@
+#include "train/trajectory.h"
+
+#include "train/random.h"
+
+namespace warplut {
+namespace {
+
+// A component on the grid: a displacement of `fraction` / steps whose whole part keeps |sum| below one pixel.
+int Step(int fraction, int steps, int sum) {
+  if (fraction == 0) return 0;
+  return sum > 0 || (sum == 0 && fraction > steps / 2) ? fraction - steps : fraction;
+}
+
+}  // namespace
+
+std::vector<Displacement> MakeTrajectory(Offsets offsets, std::span<const int> horizons, int steps,
+                                         std::uint64_t seed) {
+  std::vector<Displacement> trajectory;
+  trajectory.reserve(horizons.back());
+  Random random(seed);
+  int sum_x = 0;  // in 1 / steps of a pixel
+  int sum_y = 0;
+  for (const int horizon : horizons) {
+    while (static_cast<int>(trajectory.size()) < horizon) {
+      const bool last = static_cast<int>(trajectory.size()) + 1 == horizon;
+      int x = 0;
+      int y = 0;
+      if (offsets == Offsets::kHalf) {
+        x = y = sum_x == 0 ? steps / 2 : -steps / 2;
+      } else if (last) {
+        x = -sum_x;
+        y = -sum_y;
+      } else {
+        x = Step(random.Below(steps), steps, sum_x);
+        y = Step(random.Below(steps), steps, sum_y);
+      }
+      sum_x += x;
+      sum_y += y;
+      trajectory.push_back({static_cast<double>(x) / steps, static_cast<double>(y) / steps});
+    }
+  }
+  return trajectory;
+}
+
+}  // namespace warplut

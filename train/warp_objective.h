@@ -1,0 +1,88 @@
+// Objective `warp`: how much of an image repeated warps lose, compared with the best that a Keys kernel does.
+//
+// A protocol i is a kind of offsets (half, random) and a number of warps N; l_i(w) is the mean of 1 - SSIM after N warps
+// with the weights w, over crops and trajectories. With a baseline b_i for each protocol,
+//
+//   L(w) = ( M(half protocols) + M(random protocols) ) / 2,   M = ( mean of (l_i / b_i)^p )^(1/p)
+//
+// A large p lets the protocol count in which w does worst against the baseline, so that no horizon is bought with
+// another; L < 1 means better than the baselines. They are, on the same crops and trajectories: for random offsets the
+// best Keys kernel for that very protocol; for half-pixel warps, and for the longest random horizon, the Keys kernel
+// that is best for the longest half-pixel horizon, since one half-pixel node must serve all of them.
+// Source of the loss: Mob-FGSR supplement, section 5; protocols, baselines and the power mean are ours.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "train/rollout.h"
+
+namespace warplut {
+
+inline constexpr double kProtocolPower = 16;
+
+struct Protocol {
+  Offsets offsets = Offsets::kHalf;
+  int warps = 0;
+};
+
+// The half-pixel protocols of these horizons, then the random ones.
+std::vector<Protocol> MakeProtocols(std::span<const int> horizons);
+
+class WarpObjective {
+ public:
+  // Each crop is rolled out along the half-pixel trajectory, and for each random protocol along so many trajectories of
+  // its own that every protocol warps about equally often. Horizons even, ascending. Baselines as above.
+  WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons, std::uint64_t seed);
+
+  // The same with the baselines of another objective of the same horizons.
+  WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons, std::uint64_t seed,
+                std::vector<double> baselines);
+
+  // L(weights); with `gradient`, also writes dL/d(weights). Rollouts run in parallel and are added in a fixed order:
+  // the same bits for any number of threads.
+  double Evaluate(const CanonicalWeights<double>& weights,
+                  CanonicalWeights<double>* gradient = nullptr) const;
+
+  // l_i(weights), in the order of protocols().
+  std::vector<double> Losses(const CanonicalWeights<double>& weights) const;
+
+  const std::vector<Protocol>& protocols() const { return protocols_; }
+  const std::vector<double>& baselines() const { return baselines_; }
+
+ private:
+  // Judged at `horizons`, which are those of the protocols from `first_protocol` on.
+  struct Rollout {
+    int crop = 0;
+    std::vector<RolloutStep> steps;
+    std::span<const int> horizons;
+    int first_protocol = 0;
+  };
+
+  void AddRollouts(std::uint64_t seed);
+  std::vector<double> FindBaselines() const;
+
+  // factors[i] = dL/dl_i.
+  double Combine(std::span<const double> losses, std::span<double> factors) const;
+
+  std::vector<BorderedPlane> crops_;
+  std::vector<int> horizons_;
+  std::vector<Protocol> protocols_;
+  std::vector<Rollout> rollouts_;
+  std::vector<double> rollouts_per_protocol_;
+  std::vector<double> baselines_;
+};
+
+// The weights of the Keys kernel at the canonical nodes.
+CanonicalWeights<double> KeysCanonicalWeights(double a);
+
+// The Keys parameters that are looked at when a best one is wanted.
+inline constexpr double kKeysFirst = -0.40;
+inline constexpr double kKeysLast = -0.90;
+inline constexpr double kKeysStep = 0.02;
+
+// The parameter a of the Keys kernel with the least L: the baseline that a fit must beat.
+double FitKeys(const WarpObjective& objective);
+
+}  // namespace warplut
