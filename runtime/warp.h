@@ -15,6 +15,7 @@
 
 #include <cstdint>
 
+#include "luts/filters.h"
 #include "runtime/filter.h"
 #include "runtime/image_view.h"
 #include "runtime/motion_tiles.h"
@@ -35,8 +36,8 @@ inline constexpr int kLargestSize = 1 << 20;
 
 struct WarpOptions {
   Filter filter = Filter::kCatmullRom;
-  float keys_a = -0.5f;          // Filter::kKeys: in [-1, 0]
-  const Table* table = nullptr;  // Filter::kLut: not null, outlives the call
+  float keys_a = static_cast<float>(kCatmullRomA);  // Filter::kKeys: in [-1, 0]
+  const Table* table = nullptr;                     // Filter::kLut: not null, outlives the call
   Lookup lookup = Lookup::kBilinear;
   bool general_only = false;  // do not use what tiles have in common; for tests and benchmarks
 

@@ -118,8 +118,11 @@ ExitCode RunTrain(TrainArguments arguments) {
   }
   if (result.interrupted) {
     throw Error(
-        fmt::format("training was interrupted; the same command with --resume goes on from {}.",
-                    options.checkpoint.string()));
+        fs::exists(options.checkpoint)
+            ? fmt::format("training was interrupted; the same command with --resume goes on "
+                          "from {}.",
+                          options.checkpoint.string())
+            : "training was interrupted in its first stage; nothing was written.");
   }
   result.fit.name = name;
   WriteFit(out, result.fit);
@@ -164,7 +167,9 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
                       "Largest gain of any node (default: by horizons)");
   command->add_option("--crops", options.crops,
                       "Number of crops to train on (default: the trainer's)");
-  command->add_option("--iterations", options.iterations, "Of the optimizer (default: its own)");
+  command->add_option("--stages", options.stages, "Of the training")->capture_default_str();
+  command->add_option("--iterations", options.iterations,
+                      "Of the optimizer in each stage (default: its own)");
   command->add_option("--max-seconds", options.max_seconds,
                       "Time limit of the training (default: none)");
   command->add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();

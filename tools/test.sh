@@ -56,7 +56,7 @@ run_tests() {
   step "test $preset"
   report=$PWD/build/$preset/junit.xml
   rm -f "$report"
-  ctest --preset "$preset" --parallel "$jobs" --output-junit "$report" --progress "$@" \
+  ctest --preset "$preset" --parallel "$jobs" --output-junit "$report" "$@" \
     > "build/$preset/ctest.log" 2>&1 || true
   if [ ! -s "$report" ]; then
     tail -n 20 "build/$preset/ctest.log"

@@ -1,5 +1,5 @@
-// The nodes that are left when the 8 symmetries are divided out: 0 <= j <= i <= 16, 153 of 1024. The weights of every
-// other node are those of one of these, with the taps permuted.
+// The nodes that are left when the 8 symmetries are divided out: 0 <= j <= i <= 16, 153 of 1024.
+// The weights of every other node are those of one of these, with the taps permuted.
 #pragma once
 
 #include <algorithm>

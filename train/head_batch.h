@@ -15,8 +15,8 @@ class HeadBatch {
  public:
   HeadBatch();
 
-  // The weights of every canonical node for these parameters (kMlpParameters values). Equal to HeadWeights to
-  // rounding: 1e-12 for weights of order 1.
+  // The weights of every canonical node for these parameters (kMlpParameters values). Equal to
+  // HeadWeights to rounding: 1e-12 for weights of order 1.
   const CanonicalWeights<double>& Forward(const double* parameters);
 
   // After Forward with the same parameters: writes d(loss)/d(parameters), given d(loss)/d(weights).
@@ -26,8 +26,8 @@ class HeadBatch {
  private:
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor>;
 
-  Matrix input_;                                 // 2 x points; the points are the 33 x 33 nodes
-  std::array<Matrix, kMlpLayers> activation_;    // output of each layer, one column per point
+  Matrix input_;                               // 2 x points; the points are the 33 x 33 nodes
+  std::array<Matrix, kMlpLayers> activation_;  // output of each layer, one column per point
   std::array<Matrix, kMlpLayers> delta_;
   CanonicalWeights<double> weights_{};
 };

@@ -12,12 +12,13 @@ namespace warplut {
 // Called after every iteration with the parameters and the objective there; returns false to stop.
 using MinimizeCallback = std::function<bool(const double* parameters, double value)>;
 
-// L-BFGS with a Wolfe line search (Ceres), at most `iterations` from `parameters`, which receives the best point.
+// L-BFGS with a Wolfe line search (Ceres), at most `iterations` from `parameters`, which receives
+// the best point.
 void MinimizeLbfgs(MlpObjective& objective, int iterations, const MinimizeCallback& callback,
                    std::vector<double>& parameters);
 
-// The paper's optimizer, Adam with learning rate 1e-3, betas 0.9 and 0.999, eps 1e-4 (Mob-FGSR supplement, section 5), on
-// the full objective; the state is part of what a checkpoint keeps.
+// The paper's optimizer, Adam with learning rate 1e-3, betas 0.9 and 0.999, eps 1e-4 (Mob-FGSR
+// supplement, section 5), on the full objective; the state is part of what a checkpoint keeps.
 struct AdamState {
   std::int64_t step = 0;
   std::vector<double> mean;      // of the gradient

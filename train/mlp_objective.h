@@ -1,4 +1,5 @@
-// What the optimizers minimise: objective `warp` and the bound on gain, as a function of the MLP's parameters.
+// What the optimizers minimise: objective `warp` and the bound on gain, as a function of the MLP's
+// parameters.
 //
 //   J(theta) = L(w(theta)) + kGainPenaltyFactor * P(w(theta))
 #pragma once
@@ -21,7 +22,8 @@ class MlpObjective {
   // `warp` must outlive this.
   MlpObjective(const WarpObjective& warp, double gain_bound) : warp_(warp), penalty_(gain_bound) {}
 
-  // J(parameters), and its gradient where `gradient` is not null; kMlpParameters values each. Counts evaluations.
+  // J(parameters), and its gradient where `gradient` is not null; kMlpParameters values each.
+  // Counts evaluations.
   double Evaluate(const double* parameters, double* gradient);
 
   const CanonicalWeights<double>& WeightsOf(const double* parameters) {
@@ -37,8 +39,9 @@ class MlpObjective {
   std::int64_t evaluations_ = 0;
 };
 
-// Random starting parameters: layers uniform with variance 2 / (in + out) (Glorot and Bengio 2010), the last one scaled
-// by kLastLayerScale so that the start lies near the head's base kernel; biases 0.
+// Random starting parameters: layers uniform with variance 2 / (in + out) (Glorot and Bengio 2010),
+// the last one scaled by kLastLayerScale so that the start lies near the head's base kernel; biases
+// 0.
 std::vector<double> RandomParameters(std::uint64_t seed);
 
 inline constexpr double kLastLayerScale = 0.1;

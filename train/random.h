@@ -1,5 +1,5 @@
-// A small generator whose numbers are the same on every machine and with every standard library (the library's
-// distributions are not). SplitMix64; source: Steele, Lea, Flood 2014.
+// A small generator whose numbers are the same on every machine and with every standard library
+// (the library's distributions are not). SplitMix64; source: Steele, Lea, Flood 2014.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// A rollout: one image warped repeatedly along a trajectory, judged by SSIM at each horizon, with the adjoint.
+// A rollout: one image warped repeatedly along a trajectory, judged by SSIM at each horizon, with
+// the adjoint.
 #pragma once
 
 #include <span>
@@ -18,8 +19,8 @@ struct RolloutStep {
   int cell_y = 0;
 };
 
-// Displacements on the node grid (MakeTrajectory with steps = kNodes) as steps: the position p - v lies in cell
-// floor(-v), at the offset that is left.
+// Displacements on the node grid (MakeTrajectory with steps = kNodes) as steps: the position p - v
+// lies in cell floor(-v), at the offset that is left.
 std::vector<RolloutStep> ToSteps(std::span<const Displacement> trajectory);
 
 // The stencil of a step.
@@ -36,14 +37,14 @@ class RolloutWorkspace {
  public:
   RolloutWorkspace(int width, int height, int max_warps);
 
-  // Warps `image` (border filled) along `steps`. losses[h] receives 1 - SSIM after horizons[h] warps, against what
-  // `ssim` was made with (InnerView of the image).
+  // Warps `image` (border filled) along `steps`. losses[h] receives 1 - SSIM after horizons[h]
+  // warps, against what `ssim` was made with (InnerView of the image).
   void Forward(const BorderedPlane& image, Ssim& ssim, std::span<const RolloutStep> steps,
                std::span<const int> horizons, const CanonicalWeights<double>& weights,
                std::span<double> losses);
 
-  // After Forward with the same arguments: adds to `gradient` the derivative of the sum of factors[h] * losses[h] with
-  // respect to the weights.
+  // After Forward with the same arguments: adds to `gradient` the derivative of the sum of
+  // factors[h] * losses[h] with respect to the weights.
   void Backward(const BorderedPlane& image, Ssim& ssim, std::span<const RolloutStep> steps,
                 std::span<const int> horizons, std::span<const double> factors,
                 const CanonicalWeights<double>& weights, CanonicalWeights<double>& gradient);

@@ -1,10 +1,13 @@
-// Streams over the map row by row. With u = x - 1/2, v = y - 1/2 (variances do not change, and lose less to
-// cancellation), row r needs the vertical sums of u, u^2 and u v over image rows r .. r + 10, then the horizontal ones.
-// The gradient is the transposed filter of three maps: with S = A1 A2 / (B1 B2),
+// Streams over the map row by row. With u = x - 1/2, v = y - 1/2 (variances do not change, and lose
+// less to cancellation), row r needs the vertical sums of u, u^2 and u v over image rows r .. r +
+// 10, then the horizontal ones. The gradient is the transposed filter of three maps: with S = A1 A2
+// / (B1 B2),
 //   dS/dE[u^2] = -S / B2
 //   dS/dE[u v] = 2 A1 / (B1 B2)
-//   dS/dmean   = 2 (my (A2 - A1) / (B1 B2) + mx S (1 / B2 - 1 / B1))   (means of x and y for A1 and B1,
-//                                                                       of u and v in the variances)
+//   dS/dmean   = 2 (my (A2 - A1) / (B1 B2) + mx S (1 / B2 - 1 / B1))   (means of x and y for A1 and
+//   B1,
+//                                                                       of u and v in the
+//                                                                       variances)
 // Rings of 11 rows keep both passes in cache.
 #include "train/ssim.h"
 
@@ -90,12 +93,12 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
   const int map_width = s.width - kWindow + 1;
   const int map_height = s.height - kWindow + 1;
   const std::ptrdiff_t st = s.stride;
-  float* ring_u = s.scratch;               // three rings of 11 rows: u, u^2, u v
+  float* ring_u = s.scratch;  // three rings of 11 rows: u, u^2, u v
   float* ring_uu = ring_u + kWindow * st;
   float* ring_uv = ring_uu + kWindow * st;
-  float* sums = ring_uv + kWindow * st;    // three rows
-  float* maps = sums + 3 * st;             // three rows of derivatives, 10 zeros before and after
-  float* ring_d = maps + 3 * st;           // three rings of 11 rows: transposed horizontal sums
+  float* sums = ring_uv + kWindow * st;  // three rows
+  float* maps = sums + 3 * st;           // three rows of derivatives, 10 zeros before and after
+  float* ring_d = maps + 3 * st;         // three rings of 11 rows: transposed horizontal sums
   const V half = hn::Set(d, 0.5f);
   const V one = hn::Set(d, 1.0f);
   const V two = hn::Set(d, 2.0f);
@@ -126,8 +129,8 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
       V mean, square, product;
       sum_at(i, mean, square, product);
       const V uu = hn::Sub(hn::LoadU(d, u + i), half);
-      const V sum = hn::MulAdd(hn::Add(uu, uu), square,
-                               hn::MulAdd(hn::LoadU(d, v + i), product, mean));
+      const V sum =
+          hn::MulAdd(hn::Add(uu, uu), square, hn::MulAdd(hn::LoadU(d, v + i), product, mean));
       hn::StoreU(hn::MulAdd(factor, sum, hn::LoadU(d, g + i)), d, g + i);
     }
     if (i < s.width) {
@@ -195,10 +198,10 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
         const V to_square = hn::Neg(hn::Mul(ssim, hn::Mul(b1, inverse)));
         const V to_product = hn::Mul(hn::Mul(two, a1), inverse);
         // Through A1 and B1 the mean of x acts, through the variances the mean of u.
-        const V direct = hn::Mul(two, hn::Mul(inverse, hn::NegMulAdd(mx, hn::Mul(ssim, b2),
-                                                                     hn::Mul(my, a2))));
-        const V to_mean = hn::NegMulAdd(hn::Add(mu, mu), to_square,
-                                        hn::NegMulAdd(mv, to_product, direct));
+        const V direct =
+            hn::Mul(two, hn::Mul(inverse, hn::NegMulAdd(mx, hn::Mul(ssim, b2), hn::Mul(my, a2))));
+        const V to_mean =
+            hn::NegMulAdd(hn::Add(mu, mu), to_square, hn::NegMulAdd(mv, to_product, direct));
         float* at = maps + kWindow - 1 + c;
         hn::StoreU(hn::IfThenElseZero(inside, to_mean), d, at);
         hn::StoreU(hn::IfThenElseZero(inside, to_square), d, at + st);
@@ -267,8 +270,8 @@ Ssim::Ssim(const PlaneView& y)
 }
 
 SsimRows Ssim::Rows() {
-  return {width_,         height_,       stride_,         taps_.data(), y_.data(),
-          mean_y_.data(), var_y_.data(), scratch_.data()};
+  return {width_,    height_,        stride_,       taps_.data(),
+          y_.data(), mean_y_.data(), var_y_.data(), scratch_.data()};
 }
 
 double Ssim::Mean(const PlaneView& x) {

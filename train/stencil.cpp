@@ -75,8 +75,8 @@ void WeightGradient(const Stencil& s, const BorderedPlane& in, const BorderedPla
   }
 }
 
-// in_gradient(q) = sum of weight k * out_gradient(q - offset of tap k), for q inside and in the border that a stencil
-// reads.
+// in_gradient(q) = sum of weight k * out_gradient(q - offset of tap k), for q inside and in the
+// border that a stencil reads.
 void InputGradient(const Stencil& s, const BorderedPlane& out_gradient,
                    BorderedPlane& in_gradient) {
   constexpr int kReach = 2;

@@ -8,8 +8,8 @@
 
 namespace warplut {
 
-// A square-free plane with a border of kBorder pixels on every side, all rows of one stride. Pixel (x, y), also of the
-// border, is at origin()[y * stride() + x].
+// A square-free plane with a border of kBorder pixels on every side, all rows of one stride. Pixel
+// (x, y), also of the border, is at origin()[y * stride() + x].
 class BorderedPlane {
  public:
   static constexpr int kBorder = 4;
@@ -39,7 +39,8 @@ class BorderedPlane {
   std::vector<float> data_;
 };
 
-// One warp: every pixel p becomes the sum of weight k times the texel at p + (cell_x + TapX(k), cell_y + TapY(k)).
+// One warp: every pixel p becomes the sum of weight k times the texel at p + (cell_x + TapX(k),
+// cell_y + TapY(k)).
 struct Stencil {
   int cell_x = 0;  // whole part of the sampled position, -1 or 0
   int cell_y = 0;
@@ -49,13 +50,14 @@ struct Stencil {
 // Repeats the edge pixels into the border (a clamped border), as far as a stencil reads.
 void FillBorder(BorderedPlane& plane);
 
-// out = stencil of `in`, clamped to [0, 1], border filled. `in` has its border filled; the planes are of one size and
-// different.
+// out = stencil of `in`, clamped to [0, 1], border filled. `in` has its border filled; the planes
+// are of one size and different.
 void ApplyStencil(const Stencil& stencil, const BorderedPlane& in, BorderedPlane& out);
 
-// The adjoint. `in` and `out` as after ApplyStencil; `out_gradient` is d(loss)/d(out) inside the image and zero in the
-// border, and is overwritten (clamped pixels pass nothing). Writes d(loss)/d(in), border folded into the edges and
-// cleared, to `in_gradient` and adds d(loss)/d(weights) to `weight_gradient`.
+// The adjoint. `in` and `out` as after ApplyStencil; `out_gradient` is d(loss)/d(out) inside the
+// image and zero in the border, and is overwritten (clamped pixels pass nothing). Writes
+// d(loss)/d(in), border folded into the edges and cleared, to `in_gradient` and adds
+// d(loss)/d(weights) to `weight_gradient`.
 void AdjointStencil(const Stencil& stencil, const BorderedPlane& in, const BorderedPlane& out,
                     BorderedPlane& out_gradient, BorderedPlane& in_gradient,
                     Weights<double>& weight_gradient);

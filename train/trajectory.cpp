@@ -5,7 +5,8 @@
 namespace warplut {
 namespace {
 
-// A component on the grid: a displacement of `fraction` / steps whose whole part keeps |sum| below one pixel.
+// A component on the grid: a displacement of `fraction` / steps whose whole part keeps |sum| below
+// one pixel.
 int Step(int fraction, int steps, int sum) {
   if (fraction == 0) return 0;
   return sum > 0 || (sum == 0 && fraction > steps / 2) ? fraction - steps : fraction;

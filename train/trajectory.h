@@ -1,9 +1,9 @@
 // Trajectories of repeated warps: the protocols that filters are trained on and judged by.
 //
-// A trajectory is a list of displacements v in pixels, x right, y down; warp i replaces image x by x(p - v[i]).
-// What a filter does depends on the fraction of v alone; the whole part is chosen so that the image stays within a
-// pixel of where it began. At each horizon the displacements add up to exactly zero, so that the image should then be
-// the one that it began with: an exact reference.
+// A trajectory is a list of displacements v in pixels, x right, y down; warp i replaces image x by
+// x(p - v[i]). What a filter does depends on the fraction of v alone; the whole part is chosen so
+// that the image stays within a pixel of where it began. At each horizon the displacements add up
+// to exactly zero, so that the image should then be the one that it began with: an exact reference.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,12 @@ struct Displacement {
 
 // The displacements of horizons.back() warps.
 //   kHalf    (1/2, 1/2) and (-1/2, -1/2) in turn; every horizon must be even.
-//   kRandom  fractions uniform on the multiples of 1 / steps, but for the last warp before each horizon, which
-//            returns to the start. With steps = kNodes every offset is a node; a large one stands for any offset.
-// Horizons are ascending and at least 1. The same arguments give the same trajectory on every machine.
+//   kRandom  fractions uniform on the multiples of 1 / steps, but for the last warp before each
+//   horizon, which
+//            returns to the start. With steps = kNodes every offset is a node; a large one stands
+//            for any offset.
+// Horizons are ascending and at least 1. The same arguments give the same trajectory on every
+// machine.
 std::vector<Displacement> MakeTrajectory(Offsets offsets, std::span<const int> horizons, int steps,
                                          std::uint64_t seed);
 

@@ -1,15 +1,18 @@
-// Objective `warp`: how much of an image repeated warps lose, compared with the best that a Keys kernel does.
+// Objective `warp`: how much of an image repeated warps lose, compared with the best that a Keys
+// kernel does.
 //
-// A protocol i is a kind of offsets (half, random) and a number of warps N; l_i(w) is the mean of 1 - SSIM after N warps
-// with the weights w, over crops and trajectories. With a baseline b_i for each protocol,
+// A protocol i is a kind of offsets (half, random) and a number of warps N; l_i(w) is the mean of 1
+// - SSIM after N warps with the weights w, over crops and trajectories. With a baseline b_i for
+// each protocol,
 //
 //   L(w) = ( M(half protocols) + M(random protocols) ) / 2,   M = ( mean of (l_i / b_i)^p )^(1/p)
 //
-// A large p lets the protocol count in which w does worst against the baseline, so that no horizon is bought with
-// another; L < 1 means better than the baselines. They are, on the same crops and trajectories: for random offsets the
-// best Keys kernel for that very protocol; for half-pixel warps, and for the longest random horizon, the Keys kernel
-// that is best for the longest half-pixel horizon, since one half-pixel node must serve all of them.
-// Source of the loss: Mob-FGSR supplement, section 5; protocols, baselines and the power mean are ours.
+// A large p lets the protocol count in which w does worst against the baseline, so that no horizon
+// is bought with another; L < 1 means better than the baselines. They are, on the same crops and
+// trajectories: for random offsets the best Keys kernel for that very protocol; for half-pixel
+// warps, and for the longest random horizon, the Keys kernel that is best for the longest
+// half-pixel horizon, since one half-pixel node must serve all of them. Source of the loss:
+// Mob-FGSR supplement, section 5; protocols, baselines and the power mean are ours.
 #pragma once
 
 #include <cstdint>
@@ -32,16 +35,17 @@ std::vector<Protocol> MakeProtocols(std::span<const int> horizons);
 
 class WarpObjective {
  public:
-  // Each crop is rolled out along the half-pixel trajectory, and for each random protocol along so many trajectories of
-  // its own that every protocol warps about equally often. Horizons even, ascending. Baselines as above.
+  // Each crop is rolled out along the half-pixel trajectory, and for each random protocol along so
+  // many trajectories of its own that every protocol warps about equally often. Horizons even,
+  // ascending. Baselines as above.
   WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons, std::uint64_t seed);
 
   // The same with the baselines of another objective of the same horizons.
   WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons, std::uint64_t seed,
                 std::vector<double> baselines);
 
-  // L(weights); with `gradient`, also writes dL/d(weights). Rollouts run in parallel and are added in a fixed order:
-  // the same bits for any number of threads.
+  // L(weights); with `gradient`, also writes dL/d(weights). Rollouts run in parallel and are added
+  // in a fixed order: the same bits for any number of threads.
   double Evaluate(const CanonicalWeights<double>& weights,
                   CanonicalWeights<double>* gradient = nullptr) const;
 

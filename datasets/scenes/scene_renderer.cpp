@@ -19,8 +19,6 @@ using scenes::Integrator;
 using scenes::Path;
 using scenes::Vec2d;
 
-// One level finer than the output grid, as FSR 2 advises for its inputs.
-constexpr double kMipBias = -1;
 // Motion below this many pixels is rounding.
 constexpr double kNoMotion = 1e-6;
 constexpr int kSmallest = 8, kLargest = 16384;
@@ -199,7 +197,8 @@ Frame SceneRenderer::Render(int index) const {
   frame.jitter = jitter[index % jitter.size()];
   const scenes::Lens lens = state_->LensAt(index);
   frame.camera = lens.Matrices();
-  const double footprint = lens.PixelAngle(options.height) * std::exp2(kMipBias);
+  // The output grid's pixel on both grids: for the inputs a mip bias of log2(1 / scale).
+  const double footprint = lens.PixelAngle(options.height);
   const Integrator integrator(state_->world, state_->tracer, index * scenes::kFrameSeconds,
                               state_->Shot(index), state_->Aspect(), footprint);
   if (options.reference) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "tests/runtime/warp_fixture.h"
 
@@ -92,18 +94,20 @@ TEST_P(WarpAccuracy, UniformAndWholeMotion) {
   }
 }
 
-TEST_P(WarpAccuracy, MotionThatIsNotFinite) {
+TEST_P(WarpAccuracy, MotionThatIsNotFiniteOrFarOrTiny) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kFar[] = {kNan, kInfinity, -kInfinity, 1e6f, -1e6f, 1e30f, -1e30f, 0.25f, 0};
-  TestImage history(81, 9, GetParam());
+  constexpr float kUnusual[] = {kNan,  kInfinity, -kInfinity, 1e6f,   -1e6f,
+                                1e30f, -1e30f,    0.25f,      1e-30f, 0};
+  constexpr int kCount = static_cast<int>(std::size(kUnusual));
+  TestImage history(kCount * kCount, 9, GetParam());
   history.Randomise(7);
-  TestMotion motion(81, 9);
-  for (int i = 0; i < 81; ++i) {
-    for (int y = 0; y < 9; ++y) motion.Set(i, y, kFar[i % 9], kFar[i / 9]);
+  TestMotion motion(kCount * kCount, 9);
+  for (int i = 0; i < kCount * kCount; ++i) {
+    for (int y = 0; y < 9; ++y) motion.Set(i, y, kUnusual[i % kCount], kUnusual[i / kCount]);
   }
   const WarpOptions options;
-  TestImage reference(81, 9, GetParam());
+  TestImage reference(kCount * kCount, 9, GetParam());
   WarpReference(history.history(), motion.view(), options, reference.view());
   for (int y = 0; y < 9; ++y) {
     for (int c = 0; c < Channels(GetParam()); ++c) {
@@ -111,7 +115,7 @@ TEST_P(WarpAccuracy, MotionThatIsNotFinite) {
     }
   }
   ForEachTarget([&] {
-    TestImage fast(81, 9, GetParam());
+    TestImage fast(kCount * kCount, 9, GetParam());
     Warp(history.history(), motion.view(), options, fast.view());
     CountDifferent(fast, reference);
   });

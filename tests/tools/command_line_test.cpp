@@ -79,6 +79,10 @@ TEST_F(CommandLine, RefusesMissingEmptyAndDamagedData) {
   ExpectRefused(
       RunWarplut({"train", "--data", WriteWavyImage(Path("tiny.png"), 8, 8), "--out", out}),
       kFailed, "8");
+  Image holed(64, 64, 3);
+  holed.at(3, 5) = std::nanf("");
+  WriteImage(Path("nan.exr"), holed, PixelType::kFloat);
+  ExpectRefused(RunWarplut({"train", "--data", Path("nan.exr"), "--out", out}), kFailed, "nan.exr");
   ExpectRefused(RunWarplut({"bake", Path("none.json"), "--out", Path("baked")}), kFailed,
                 "none.json");
   ExpectRefused(RunWarplut({"dataset", "inspect", Path("none")}), kFailed, "none");
@@ -99,7 +103,7 @@ TEST_F(CommandLine, TellsWhenTheDiskIsFull) {
   const ProgramResult render =
       RunWarplut({"dataset", "render", "still", "--out", Path("out"), "--width", "64", "--height",
                   "48", "--frames", "1", "--samples", "1"},
-                 {.standard_output = {}, .file_size_limit = 100, .signal_when = {}});
+                 {.standard_output = {}, .file_size_limit = 600, .signal_when = {}});
   ExpectRefused(render, kFailed, Path("out"));
   for (const auto& entry : std::filesystem::recursive_directory_iterator(Path("out"))) {
     EXPECT_FALSE(entry.is_regular_file()) << entry.path();

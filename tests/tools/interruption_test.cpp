@@ -5,6 +5,7 @@
 
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/program.h"
+#include "tests/tools/test_images.h"
 
 namespace warplut {
 namespace {
@@ -27,6 +28,36 @@ TEST(Interruption, StopsARenderingBetweenFramesAndGoesOn) {
 
   EXPECT_EQ(RunWarplut(render).code, 0);
   EXPECT_EQ(RunWarplut({"dataset", "inspect", scene.string()}).code, 0);
+}
+
+TEST(Interruption, StopsATrainingAtACheckpointAndItGoesOn) {
+  const TemporaryFolder folder;
+  const std::string fit = folder / "fit.json";
+  // Many short stages, each of which ends with a checkpoint.
+  std::vector<std::string> train = {"train",
+                                    "--data",
+                                    WriteWavyImage(folder / "image.png", 256, 256),
+                                    "--out",
+                                    fit,
+                                    "--horizons",
+                                    "2",
+                                    "--crops",
+                                    "16",
+                                    "--iterations",
+                                    "1",
+                                    "--stages",
+                                    "1000"};
+  ExpectRefused(RunWarplut(train, {.standard_output = {}, .signal_when = fit + ".checkpoint"}), 2,
+                "--resume");
+  EXPECT_FALSE(std::filesystem::exists(fit));
+
+  train.push_back("--resume");
+  const ProgramResult again =
+      RunWarplut(train, {.standard_output = {}, .signal_when = {}, .signal_after = 100});
+  ExpectRefused(again, 2, "--resume");
+  train.insert(train.end(), {"--seed", "7"});
+  ExpectRefused(RunWarplut(train), 2, "checkpoint");
+  EXPECT_TRUE(std::filesystem::exists(fit + ".checkpoint"));
 }
 
 }  // namespace

@@ -32,6 +32,29 @@ void Redirect(const std::filesystem::path& path, int descriptor) {
   if (file < 0 || dup2(file, descriptor) < 0) _exit(127);
 }
 
+// Whether the process handles SIGINT by now.
+bool HandlesInterrupt(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("SigCgt:")) {
+      return (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+    }
+  }
+  return false;
+}
+
+// Sends SIGINT once `ready` holds, unless the process ends before.
+template <class Condition>
+void InterruptWhen(pid_t process, const Condition& ready) {
+  siginfo_t ended = {};
+  while (!ready()) {
+    waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOHANG | WNOWAIT);
+    if (ended.si_pid == process) return;
+    std::this_thread::sleep_for(kPoll);
+  }
+  kill(process, SIGINT);
+}
+
 }  // namespace
 
 ProgramResult RunProgram(const std::string& program, const std::vector<std::string>& arguments,
@@ -55,13 +78,17 @@ ProgramResult RunProgram(const std::string& program, const std::vector<std::stri
     execv(argv[0], argv.data());
     _exit(127);
   }
-  int status = 0;
   if (!setup.signal_when.empty()) {
-    while (!std::filesystem::exists(setup.signal_when) && waitpid(child, &status, WNOHANG) == 0) {
-      std::this_thread::sleep_for(kPoll);
-    }
-    kill(child, SIGINT);
+    InterruptWhen(child, [&] { return std::filesystem::exists(setup.signal_when); });
   }
+  if (setup.signal_after > 0) {
+    InterruptWhen(child, [&] {
+      if (!HandlesInterrupt(child)) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(setup.signal_after));
+      return true;
+    });
+  }
+  int status = 0;
   waitpid(child, &status, 0);
   return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           .out = setup.standard_output.empty() ? Contents(out) : std::string(),
@@ -73,11 +100,17 @@ ProgramResult RunWarplut(const std::vector<std::string>& arguments, const Progra
 }
 
 void ExpectRefused(const ProgramResult& result, int code, const std::string& piece) {
+  // libpng tells standard error about a damaged file before it returns; that line is not ours.
+  std::istringstream lines(result.err);
+  std::string sentences;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("libpng ")) sentences += line + "\n";
+  }
   EXPECT_EQ(result.code, code) << result.err;
-  EXPECT_THAT(result.err, testing::StartsWith("warplut: "));
-  EXPECT_THAT(result.err, testing::EndsWith(".\n"));
-  EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
-  EXPECT_THAT(result.err, testing::HasSubstr(piece));
+  EXPECT_THAT(sentences, testing::StartsWith("warplut: "));
+  EXPECT_THAT(sentences, testing::EndsWith(".\n"));
+  EXPECT_EQ(sentences.find('\n'), sentences.size() - 1) << result.err;
+  EXPECT_THAT(sentences, testing::HasSubstr(piece));
 }
 
 }  // namespace warplut

@@ -19,6 +19,7 @@ struct ProgramSetup {
   std::string standard_output;        // a file to write to instead of a pipe
   long file_size_limit = 0;           // bytes that a file may have (a full disk); 0: no limit
   std::filesystem::path signal_when;  // once this exists, SIGINT is sent
+  int signal_after = 0;               // milliseconds after SIGINT has a handler, it is sent; 0: not
 };
 
 ProgramResult RunProgram(const std::string& program, const std::vector<std::string>& arguments,

@@ -28,7 +28,7 @@ struct Timing {
 struct WarpBenchmarkRow {
   PixelFormat format = PixelFormat::kRgba8;
   std::string motion;      // "smooth", "uniform", "whole", "static"
-  std::string filter;      // of Warp: a registry name, with the lookup for a table
+  std::string filter;      // of Warp; "any" or "tiles given" where motion is whole
   std::string competitor;  // what it is compared with
   Timing warp;
   Timing other;

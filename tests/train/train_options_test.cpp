@@ -1,0 +1,71 @@
+#include "train/train_options.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace warplut {
+namespace {
+
+TEST(TrainOptions, DefaultsAreValidAndResolve) {
+  std::string why;
+  EXPECT_TRUE(TrainOptions().IsValid(&why)) << why;
+  const TrainOptions resolved = TrainOptions().Resolved();
+  EXPECT_TRUE(resolved.IsValid(&why)) << why;
+  EXPECT_EQ(resolved.horizons, (std::vector<int>{6, 12, 24, 64}));
+  EXPECT_GT(resolved.gain_bound, 1);
+  EXPECT_GT(resolved.crops, 0);
+  EXPECT_GT(resolved.iterations, 0);
+}
+
+TEST(TrainOptions, HorizonsOfEveryFactorAreValidAndGrow) {
+  int last = 0;
+  for (const double scale : {1.0, 1.3, 1.5, 1.7, 2.0, 3.0, 4.0}) {
+    TrainOptions options;
+    options.scale = scale;
+    options.horizons = DefaultHorizons(scale);
+    std::string why;
+    EXPECT_TRUE(options.IsValid(&why)) << why;
+    EXPECT_GT(options.horizons.back(), last);
+    last = options.horizons.back();
+    EXPECT_NEAR(std::pow(DefaultGainBound(last), last), kHorizonGrowth, 1e-9);
+  }
+}
+
+TEST(TrainOptions, EachBadValueIsNamed) {
+  const std::vector<std::pair<std::string, std::function<void(TrainOptions&)>>> cases = {
+      {"scale", [](TrainOptions& o) { o.scale = 0.9; }},
+      {"scale", [](TrainOptions& o) { o.scale = NAN; }},
+      {"scale", [](TrainOptions& o) { o.scale = 4.1; }},
+      {"horizon 5",
+       [](TrainOptions& o) {
+         o.horizons = {2, 5};
+       }},
+      {"horizon 4",
+       [](TrainOptions& o) {
+         o.horizons = {6, 4};
+       }},
+      {"horizon 2000", [](TrainOptions& o) { o.horizons = {2000}; }},
+      {"horizon 0", [](TrainOptions& o) { o.horizons = {0}; }},
+      {"threads", [](TrainOptions& o) { o.threads = -1; }},
+      {"max_seconds", [](TrainOptions& o) { o.max_seconds = -1; }},
+      {"max_seconds", [](TrainOptions& o) { o.max_seconds = NAN; }},
+      {"stages", [](TrainOptions& o) { o.stages = 0; }},
+      {"iterations", [](TrainOptions& o) { o.iterations = -2; }},
+      {"gain_bound", [](TrainOptions& o) { o.gain_bound = 0.5; }},
+      {"crops", [](TrainOptions& o) { o.crops = -1; }},
+      {"checkpoint", [](TrainOptions& o) { o.resume = true; }},
+  };
+  for (const auto& [name, change] : cases) {
+    TrainOptions options;
+    change(options);
+    std::string why;
+    EXPECT_FALSE(options.IsValid(&why)) << name;
+    EXPECT_NE(why.find(name), std::string::npos) << why;
+    EXPECT_EQ(why.back(), '.');
+  }
+}
+
+}  // namespace
+}  // namespace warplut

@@ -1,0 +1,121 @@
+#include "train/trainer.h"
+
+#include <gtest/gtest.h>
+
+#include "datasets/file.h"
+#include "tests/datasets/expect_error.h"
+#include "tests/datasets/temporary_folder.h"
+#include "tests/train/noise_image.h"
+#include "train/crops.h"
+
+namespace warplut {
+namespace {
+
+std::vector<TrainImage> Images() {
+  std::vector<TrainImage> images;
+  for (std::uint64_t i = 0; i < 2; ++i) {
+    const std::string name = "noise" + std::to_string(i) + ".png";
+    images.push_back(
+        {{name, std::string(39, 'a') + std::to_string(i), 160, 140}, NoiseImage(160, 140, i)});
+  }
+  return images;
+}
+
+TrainOptions Small() {
+  TrainOptions options;
+  options.horizons = {2, 6};
+  options.crops = 4;
+  options.stages = 2;
+  options.iterations = 4;
+  return options;
+}
+
+TEST(Trainer, BeatsCatmullRomAndRecordsWhatItDid) {
+  TrainOptions options = Small();
+  options.iterations = 12;
+  TrainResult result = Train(options, Images());
+  EXPECT_FALSE(result.interrupted);
+  result.fit.name = "test";
+  std::string why;
+  EXPECT_TRUE(result.fit.IsValid(&why)) << why;
+  ASSERT_EQ(result.fit.loss.size(), 2u);
+  EXPECT_LT(result.fit.loss[1].loss, 1.05);
+  EXPECT_EQ(result.fit.horizons, options.horizons);
+  EXPECT_EQ(result.fit.data.size(), 2u);
+  const auto score = [&](const std::string& filter, int warps, const std::string& offsets) {
+    for (const FitScore& s : result.fit.validation) {
+      if (s.filter == filter && s.warps == warps && s.offsets == offsets) return s.ssim;
+    }
+    ADD_FAILURE() << filter << " " << warps << " " << offsets;
+    return 0.0;
+  };
+  EXPECT_GT(score("lut", 6, "half"), score("catmull-rom", 6, "half"));
+  EXPECT_GT(score("lut", 6, "random"), score("catmull-rom", 6, "random"));
+  EXPECT_GE(score("keys", 6, "half"), score("catmull-rom", 6, "half"));
+}
+
+TEST(Trainer, SameBitsForAnyNumberOfThreads) {
+  TrainOptions options = Small();
+  options.threads = 1;
+  const auto one = Train(options, Images()).fit.parameters;
+  options.threads = 3;
+  EXPECT_EQ(one, Train(options, Images()).fit.parameters);
+  options.seed = 2;
+  EXPECT_NE(one, Train(options, Images()).fit.parameters);
+}
+
+TEST(Trainer, ResumesToTheSameBitsAfterAnInterruption) {
+  const TemporaryFolder folder;
+  for (const Optimizer optimizer : {Optimizer::kLbfgs, Optimizer::kAdam}) {
+    TrainOptions options = Small();
+    options.optimizer = optimizer;
+    const auto whole = Train(options, Images()).fit.parameters;
+
+    options.checkpoint = folder.path() / "fit.checkpoint";
+    int calls = 0;
+    const auto interrupted =
+        Train(options, Images(), [&](const TrainProgress&) { return ++calls < 6; });
+    EXPECT_TRUE(interrupted.interrupted);
+    ASSERT_TRUE(std::filesystem::exists(options.checkpoint));
+    options.resume = true;
+    const auto resumed = Train(options, Images());
+    EXPECT_FALSE(resumed.interrupted);
+    EXPECT_EQ(whole, resumed.fit.parameters);
+    EXPECT_FALSE(std::filesystem::exists(options.checkpoint));
+  }
+}
+
+TEST(Trainer, ProgressGoesFromNothingToAll) {
+  double last = 0;
+  std::int64_t evaluations = 0;
+  Train(Small(), Images(), [&](const TrainProgress& progress) {
+    EXPECT_GE(progress.fraction, last);
+    EXPECT_GT(progress.evaluations, evaluations);
+    last = progress.fraction;
+    evaluations = progress.evaluations;
+    return true;
+  });
+  EXPECT_EQ(last, 1);
+}
+
+TEST(Trainer, RefusesBadDataAndForeignCheckpoints) {
+  ExpectError([] { Train(Small(), {}); }, {"no training images", "expected"});
+  std::vector<TrainImage> images = Images();
+  images[1].image = NoiseImage(kCropSize - 1, 200, 1);
+  ExpectError([&] { Train(Small(), images); }, {"noise1.png", "127 x 200", "128 x 128"});
+  TrainOptions bad = Small();
+  bad.scale = 0.5;
+  ExpectError([&] { Train(bad, Images()); }, {"scale"});
+
+  const TemporaryFolder folder;
+  TrainOptions options = Small();
+  options.checkpoint = folder.path() / "fit.checkpoint";
+  int calls = 0;
+  Train(options, Images(), [&](const TrainProgress&) { return ++calls < 6; });
+  options.resume = true;
+  options.seed = 99;
+  ExpectError([&] { Train(options, Images()); }, {"fit.checkpoint", "other options or data"});
+}
+
+}  // namespace
+}  // namespace warplut

@@ -1,0 +1,82 @@
+#include "train/warp_objective.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "tests/train/noise_image.h"
+
+namespace warplut {
+namespace {
+
+WarpObjective Make() {
+  std::vector<BorderedPlane> crops;
+  for (std::uint64_t i = 0; i < 3; ++i) crops.push_back(ToPlane(NoiseImage(64, 64, i)));
+  return {std::move(crops), {2, 6, 8}, 5};
+}
+
+TEST(WarpObjective, ProtocolsAreHalfThenRandom) {
+  const WarpObjective objective = Make();
+  ASSERT_EQ(objective.protocols().size(), 6u);
+  EXPECT_EQ(objective.protocols()[1].warps, 6);
+  EXPECT_EQ(objective.protocols()[1].offsets, Offsets::kHalf);
+  EXPECT_EQ(objective.protocols()[5].offsets, Offsets::kRandom);
+}
+
+TEST(WarpObjective, LossesGrowWithTheWarpsAndFromBilinearToKeys) {
+  const WarpObjective objective = Make();
+  const auto soft = objective.Losses(KeysCanonicalWeights(-0.2));
+  const auto keys = objective.Losses(KeysCanonicalWeights(-0.5));
+  for (std::size_t i = 0; i < soft.size(); ++i) {
+    EXPECT_LT(keys[i], soft[i]);
+    if (i % 3 != 0) EXPECT_LT(keys[i - 1], keys[i]);
+  }
+}
+
+TEST(WarpObjective, NoKeysKernelBeatsEveryBaselineAndOneReachesThem) {
+  const WarpObjective objective = Make();
+  const double best = objective.Evaluate(KeysCanonicalWeights(FitKeys(objective)));
+  EXPECT_GE(best, 1 - 1e-9);
+  EXPECT_LT(best, 1.2);
+  EXPECT_LT(best, objective.Evaluate(KeysCanonicalWeights(-0.4)));
+  for (const double baseline : objective.baselines()) EXPECT_GT(baseline, 0);
+}
+
+TEST(WarpObjective, GradientEqualsDifferences) {
+  const WarpObjective objective = Make();
+  CanonicalWeights<double> weights = KeysCanonicalWeights(-0.6);
+  CanonicalWeights<double> gradient{};
+  objective.Evaluate(weights, &gradient);
+  for (const int c : {40, 90, kCanonicalNodes - 1}) {
+    for (const int k : {1, 5, 10}) {
+      const double saved = weights[c][k];
+      const double h = 2e-3;
+      weights[c][k] = saved + h;
+      const double above = objective.Evaluate(weights);
+      weights[c][k] = saved - h;
+      const double below = objective.Evaluate(weights);
+      weights[c][k] = saved;
+      const double expected = (above - below) / (2 * h);
+      EXPECT_NEAR(gradient[c][k], expected, 0.03 * std::abs(expected) + 2e-3) << c << " " << k;
+    }
+  }
+}
+
+TEST(WarpObjective, SameBitsForAnyNumberOfThreads) {
+  const WarpObjective objective = Make();
+  const CanonicalWeights<double> weights = KeysCanonicalWeights(-0.57);
+  CanonicalWeights<double> one{}, many{};
+  double value_one = 0, value_many = 0;
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    value_one = objective.Evaluate(weights, &one);
+  }
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 4);
+    value_many = objective.Evaluate(weights, &many);
+  }
+  EXPECT_EQ(value_one, value_many);
+  EXPECT_EQ(one, many);
+}
+
+}  // namespace
+}  // namespace warplut

@@ -1,0 +1,94 @@
+#include "train/train_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace warplut {
+namespace {
+
+constexpr int kFewestCrops = 16;
+
+bool Refuse(std::string* why, std::string sentence) {
+  if (why != nullptr) *why = std::move(sentence);
+  return false;
+}
+
+int Even(double warps) { return std::max(2, 2 * static_cast<int>(std::lround(warps / 2))); }
+
+}  // namespace
+
+bool TrainOptions::IsValid(std::string* why) const {
+  if (!(scale >= 1 && scale <= 4)) {
+    return Refuse(why, fmt::format("scale is {}; expected a number in [1, 4].", scale));
+  }
+  int last = 0;
+  for (const int horizon : horizons) {
+    if (horizon <= last || horizon % 2 != 0 || horizon > kMaxHorizon) {
+      return Refuse(why, fmt::format("horizon {} follows {}; expected even numbers of warps, "
+                                     "ascending, at most {}.",
+                                     horizon, last, kMaxHorizon));
+    }
+    last = horizon;
+  }
+  if (threads < 0) return Refuse(why, fmt::format("threads is {}; expected 0 or more.", threads));
+  if (!(max_seconds >= 0)) {
+    return Refuse(why, fmt::format("max_seconds is {}; expected 0 or more.", max_seconds));
+  }
+  if (stages < 1) return Refuse(why, fmt::format("stages is {}; expected 1 or more.", stages));
+  if (iterations < 0) {
+    return Refuse(why, fmt::format("iterations is {}; expected 0 or more.", iterations));
+  }
+  if (gain_bound != 0 && !(gain_bound >= 1 && gain_bound <= 2)) {
+    return Refuse(why, fmt::format("gain_bound is {}; expected a number in [1, 2].", gain_bound));
+  }
+  if (crops < 0) return Refuse(why, fmt::format("crops is {}; expected 0 or more.", crops));
+  if (resume && checkpoint.empty()) {
+    return Refuse(why, "resume is set without a checkpoint; expected the path of one.");
+  }
+  return true;
+}
+
+TrainOptions TrainOptions::Resolved() const {
+  TrainOptions resolved = *this;
+  if (horizons.empty()) resolved.horizons = DefaultHorizons(scale);
+  const int longest = resolved.horizons.back();
+  if (iterations == 0) {
+    resolved.iterations =
+        optimizer == Optimizer::kAdam ? kDefaultAdamIterations : kDefaultLbfgsIterations;
+  }
+  if (gain_bound == 0) resolved.gain_bound = DefaultGainBound(longest);
+  if (crops == 0) resolved.crops = std::max(kFewestCrops, kDefaultCropWarps / longest);
+  return resolved;
+}
+
+std::string TrainOptions::Json() const {
+  const nlohmann::ordered_json json = {{"scale", scale},
+                                       {"horizons", horizons},
+                                       {"optimizer", Name(optimizer)},
+                                       {"seed", seed},
+                                       {"stages", stages},
+                                       {"iterations", iterations},
+                                       {"gain_bound", gain_bound},
+                                       {"crops", crops},
+                                       {"max_seconds", max_seconds}};
+  return json.dump();
+}
+
+std::vector<int> DefaultHorizons(double scale) {
+  const double cycle = 8 * scale * scale;
+  std::vector<int> horizons;
+  for (const double share : {3.0 / 16, 3.0 / 8, 3.0 / 4, 2.0}) {
+    const int previous = horizons.empty() ? 0 : horizons.back();
+    horizons.push_back(std::max(previous + 2, Even(share * cycle)));
+  }
+  return horizons;
+}
+
+double DefaultGainBound(int longest_horizon) {
+  return std::pow(kHorizonGrowth, 1.0 / longest_horizon);
+}
+
+}  // namespace warplut

@@ -1,0 +1,60 @@
+// What a training is told.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace warplut {
+
+enum class Optimizer : std::uint8_t { kLbfgs, kAdam };
+
+constexpr const char* Name(Optimizer optimizer) {
+  return optimizer == Optimizer::kLbfgs ? "lbfgs" : "adam";
+}
+
+inline constexpr int kMaxHorizon = 1024;
+inline constexpr int kDefaultStages = 6;
+inline constexpr int kDefaultLbfgsIterations = 20;  // per stage
+inline constexpr int kDefaultAdamIterations = 100;
+
+// The work of one evaluation: crops times the longest horizon. More crops generalise better and
+// take longer.
+inline constexpr int kDefaultCropWarps = 96 * 64;
+
+struct TrainOptions {
+  double scale = 2;           // output / render, [1, 4]
+  std::vector<int> horizons;  // even, ascending, at most kMaxHorizon; empty: DefaultHorizons(scale)
+  Optimizer optimizer = Optimizer::kLbfgs;
+  std::uint64_t seed = 1;
+  int threads = 0;         // 0: all
+  double max_seconds = 0;  // 0: no limit; with one the result depends on the machine's speed
+  int stages = kDefaultStages;
+  int iterations = 0;                // per stage; 0: the optimizer's default
+  double gain_bound = 0;             // largest |H| of any node and frequency; 0: DefaultGainBound
+  int crops = 0;                     // 0: kDefaultCropWarps / longest horizon, at least 16
+  std::filesystem::path checkpoint;  // empty: none; written after each stage, removed at the end
+  bool resume = false;               // from `checkpoint`
+
+  bool IsValid(std::string* why) const;
+
+  // The same with every 0 and empty list replaced by the default that it stands for.
+  TrainOptions Resolved() const;
+
+  // What decides the result, as a JSON object on one line.
+  std::string Json() const;
+};
+
+// How many warps history lives through at factor `scale`: with the jitter cycle of P = 8 scale^2
+// frames (the rule of FSR 2), about 3/16 P, 3/8 P, 3/4 P and 2 P, even; 6, 12, 24 and 64 at
+// factor 2.
+std::vector<int> DefaultHorizons(double scale);
+
+// The gain whose power at the longest horizon is kHorizonGrowth.
+double DefaultGainBound(int longest_horizon);
+
+// How much the worst frequency may grow at one and the same offset over the longest horizon.
+inline constexpr double kHorizonGrowth = 2;
+
+}  // namespace warplut

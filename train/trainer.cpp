@@ -1,0 +1,189 @@
+#include "train/trainer.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "datasets/error.h"
+#include "datasets/hash.h"
+#include "datasets/luma.h"
+#include "luts/filters.h"
+#include "train/checkpoint.h"
+#include "train/crops.h"
+#include "train/minimize.h"
+#include "train/random.h"
+
+namespace warplut {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Which part of the training a derived seed is for; two per stage.
+enum class SeedFor : std::uint64_t { kStart = 0, kValidation = 1, kStages = 3 };
+
+std::uint64_t Seed(const TrainOptions& options, SeedFor part, int index = 0) {
+  return DeriveSeed(options.seed, static_cast<std::uint64_t>(part) + index);
+}
+
+std::vector<Image> CheckedLuma(const std::vector<TrainImage>& images) {
+  if (images.empty()) throw Error("There are no training images; expected at least one.");
+  std::vector<Image> luma;
+  luma.reserve(images.size());
+  for (const TrainImage& image : images) {
+    luma.push_back(Luma(image.image));
+    if (luma.back().width < kCropSize || luma.back().height < kCropSize) {
+      throw Error(fmt::format("{} is {} x {}; expected a training image of at least {} x {}.",
+                              image.record.name, luma.back().width, luma.back().height, kCropSize,
+                              kCropSize));
+    }
+  }
+  return luma;
+}
+
+class Training {
+ public:
+  Training(const TrainOptions& options, const std::vector<TrainImage>& images,
+           const TrainCallback& progress)
+      : options_(options.Resolved()),
+        progress_(progress),
+        luma_(CheckedLuma(images)),
+        validation_(MakeObjective(options_.crops / 3 + 1, SeedFor::kValidation, 0)) {
+    std::string identity = options_.Json();
+    for (const TrainImage& image : images) identity += image.record.sha1;
+    state_.made_for = Sha1(identity);
+    state_.parameters = RandomParameters(Seed(options_, SeedFor::kStart));
+    state_.best_validation = std::numeric_limits<double>::max();
+    if (options_.resume) state_ = ReadCheckpoint(options_.checkpoint, state_.made_for);
+  }
+
+  // Returns false if the callback stopped it.
+  bool Run() {
+    start_ = Clock::now() - std::chrono::duration_cast<Clock::duration>(
+                                std::chrono::duration<double>(state_.seconds));
+    while (state_.stage < options_.stages && !OutOfTime()) {
+      if (!RunStage()) return false;
+    }
+    if (!options_.checkpoint.empty()) std::filesystem::remove(options_.checkpoint);
+    return true;
+  }
+
+  Fit MakeFit(const std::vector<TrainImage>& images);
+
+ private:
+  WarpObjective MakeObjective(int crops, SeedFor part, int index) const {
+    return {DrawCrops(luma_, crops, Seed(options_, part, index)), options_.horizons,
+            Seed(options_, part, index + 1)};
+  }
+  double Seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  bool OutOfTime() const { return options_.max_seconds > 0 && Seconds() >= options_.max_seconds; }
+  bool RunStage();
+  bool Report(int iteration, std::int64_t evaluations, double loss);
+  void FinishStage(std::int64_t evaluations, double loss, const GainPenalty& penalty);
+
+  const TrainOptions options_;
+  const TrainCallback& progress_;
+  const std::vector<Image> luma_;
+  const WarpObjective validation_;
+  HeadBatch head_;
+  Checkpoint state_;
+  Clock::time_point start_;
+};
+
+bool Training::Report(int iteration, std::int64_t evaluations, double loss) {
+  if (!progress_) return true;
+  const double done = state_.stage + static_cast<double>(iteration) / options_.iterations;
+  double fraction = done / options_.stages;
+  if (options_.max_seconds > 0) fraction = std::max(fraction, Seconds() / options_.max_seconds);
+  const double validation = state_.loss.empty() ? 0 : state_.loss.back().validation;
+  return progress_(
+      {Seconds(), state_.evaluations + evaluations, loss, validation, std::min(fraction, 1.0)});
+}
+
+bool Training::RunStage() {
+  const WarpObjective warp = MakeObjective(options_.crops, SeedFor::kStages, 2 * state_.stage);
+  MlpObjective objective(warp, options_.gain_bound);
+  std::vector<double> parameters = state_.parameters;
+  AdamState adam = state_.adam;
+  int iteration = 0;
+  double loss = 0;
+  bool stopped = false;
+  const MinimizeCallback callback = [&](const double*, double value) {
+    loss = value;
+    stopped = !Report(++iteration, objective.evaluations(), value);
+    return !stopped && !OutOfTime();
+  };
+  if (options_.optimizer == Optimizer::kAdam) {
+    MinimizeAdam(objective, options_.iterations, callback, adam, parameters);
+  } else {
+    MinimizeLbfgs(objective, options_.iterations, callback, parameters);
+  }
+  if (stopped) return false;
+  state_.parameters = std::move(parameters);
+  state_.adam = std::move(adam);
+  FinishStage(objective.evaluations(), loss, objective.penalty());
+  return true;
+}
+
+void Training::FinishStage(std::int64_t evaluations, double loss, const GainPenalty& penalty) {
+  ++state_.stage;
+  state_.evaluations += evaluations;
+  const CanonicalWeights<double>& weights = head_.Forward(state_.parameters.data());
+  CanonicalWeights<double> unused{};
+  const double validation =
+      validation_.Evaluate(weights) + kGainPenaltyFactor * penalty.AddGradient(weights, 0, unused);
+  state_.seconds = Seconds();
+  state_.loss.push_back({state_.seconds, state_.evaluations, loss, validation});
+  if (validation < state_.best_validation) {
+    state_.best_validation = validation;
+    state_.best_parameters = state_.parameters;
+  }
+  if (!options_.checkpoint.empty()) WriteCheckpoint(options_.checkpoint, state_);
+}
+
+Fit Training::MakeFit(const std::vector<TrainImage>& images) {
+  Fit fit;
+  fit.scale = options_.scale;
+  fit.optimizer = Name(options_.optimizer);
+  fit.horizons = options_.horizons;
+  fit.gain_bound = options_.gain_bound;
+  fit.seed = options_.seed;
+  fit.options = options_.Json();
+  fit.parameters = state_.best_parameters;
+  fit.loss = state_.loss;
+  for (const TrainImage& image : images) fit.data.push_back(image.record);
+  if (fit.parameters.empty()) return fit;
+
+  fit.keys_a = FitKeys(validation_);
+  const auto add = [&](const char* filter, const CanonicalWeights<double>& weights) {
+    const std::vector<double> losses = validation_.Losses(weights);
+    for (std::size_t i = 0; i < losses.size(); ++i) {
+      const Protocol& protocol = validation_.protocols()[i];
+      fit.validation.push_back({filter, protocol.warps, Name(protocol.offsets), 1 - losses[i]});
+    }
+  };
+  add("lut", head_.Forward(fit.parameters.data()));
+  add("keys", KeysCanonicalWeights(fit.keys_a));
+  add("catmull-rom", KeysCanonicalWeights(kCatmullRomA));
+  return fit;
+}
+
+}  // namespace
+
+TrainResult Train(const TrainOptions& options, const std::vector<TrainImage>& images,
+                  const TrainCallback& progress) {
+  std::string why;
+  if (!options.IsValid(&why)) throw Error("Training options: " + why);
+  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  Training training(options, images, progress);
+  TrainResult result;
+  result.interrupted = !training.Run();
+  result.fit = training.MakeFit(images);
+  return result;
+}
+
+}  // namespace warplut
