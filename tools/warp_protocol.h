@@ -25,11 +25,6 @@ inline constexpr int kProtocolMinSide = 2 * kProtocolBorder + kSsimWindow;
 // every purpose.
 inline constexpr int kProtocolSteps = 1 << 16;
 
-struct Protocol {
-  int warps = 6;  // even where offsets are half
-  Offsets offsets = Offsets::kHalf;
-};
-
 // "6 half"
 std::string Name(const Protocol& protocol);
 

@@ -19,7 +19,13 @@ constexpr const char* Name(Offsets offsets) {
   return offsets == Offsets::kHalf ? "half" : "random";
 }
 
-// Components in (-1, 1), multiples of 1 / Trajectory::denominator.
+// How filters are compared: by what is left after so many warps.
+struct Protocol {
+  int warps = 6;  // even where offsets are half
+  Offsets offsets = Offsets::kHalf;
+};
+
+// Components in (-1, 1), multiples of 1 / steps of MakeTrajectory.
 struct Displacement {
   double x = 0;
   double y = 0;

@@ -32,7 +32,7 @@ CanonicalWeights<double> KeysCanonicalWeights(double a) {
 std::vector<Protocol> MakeProtocols(std::span<const int> horizons) {
   std::vector<Protocol> protocols;
   for (const Offsets offsets : {Offsets::kHalf, Offsets::kRandom}) {
-    for (const int warps : horizons) protocols.push_back({offsets, warps});
+    for (const int warps : horizons) protocols.push_back({warps, offsets});
   }
   return protocols;
 }

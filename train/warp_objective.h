@@ -25,11 +25,6 @@ namespace warplut {
 
 inline constexpr double kProtocolPower = 16;
 
-struct Protocol {
-  Offsets offsets = Offsets::kHalf;
-  int warps = 0;
-};
-
 // The half-pixel protocols of these horizons, then the random ones.
 std::vector<Protocol> MakeProtocols(std::span<const int> horizons);
 

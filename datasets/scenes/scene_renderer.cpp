@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "datasets/error.h"
 #include "datasets/scenes/builtin.h"
@@ -46,6 +47,15 @@ Vec2d SubPixel(std::uint32_t index, std::uint32_t pixel) {
   return {(x ^ pixel) * 0x1p-32, (y ^ scenes::Hash(pixel)) * 0x1p-32};
 }
 
+// Where in the image sample `index` of pixel (x, y) lies: drawn from the pixel filter, so that the plain mean of the
+// samples is the filtered value.
+Vec2d SamplePosition(int x, int y, std::uint32_t index, std::uint32_t pixel) {
+  const Vec2d u = SubPixel(index, pixel);
+  const double radius = kPixelFilterSigma * std::sqrt(-2 * std::log(1 - u.x()));
+  const double angle = 2 * std::numbers::pi * u.y();
+  return {x + 0.5 + radius * std::cos(angle), y + 0.5 + radius * std::sin(angle)};
+}
+
 std::size_t FindScene(const std::string& name) {
   std::string names;
   const auto all = Scenes();
@@ -83,7 +93,7 @@ void RenderRow(const Integrator& integrator, const RenderOptions& options, int y
                                     static_cast<std::uint32_t>(options.seed));
     scenes::Rgb sum(0, 0, 0);
     for (int i = 0; i < options.samples; ++i) {
-      const Vec2d at = Vec2d(x, y) + SubPixel(static_cast<std::uint32_t>(i), pixel);
+      const Vec2d at = SamplePosition(x, y, static_cast<std::uint32_t>(i), pixel);
       sum += integrator.Colour(integrator.Follow({at.x() / width, at.y() / height}));
     }
     sum /= static_cast<float>(options.samples);

@@ -28,7 +28,9 @@ TEST(WarpObjective, LossesGrowWithTheWarpsAndFromBilinearToKeys) {
   const auto keys = objective.Losses(KeysCanonicalWeights(-0.5));
   for (std::size_t i = 0; i < soft.size(); ++i) {
     EXPECT_LT(keys[i], soft[i]);
-    if (i % 3 != 0) EXPECT_LT(keys[i - 1], keys[i]);
+    if (i % 3 != 0) {
+      EXPECT_LT(keys[i - 1], keys[i]);
+    }
   }
 }
 
