@@ -11,7 +11,7 @@ double MlpObjective::Evaluate(const double* parameters, double* gradient) {
   const CanonicalWeights<double>& weights = head_.Forward(parameters);
   CanonicalWeights<double> weight_gradient{};
   double value = warp_.Evaluate(weights, gradient != nullptr ? &weight_gradient : nullptr);
-  value += kGainPenaltyFactor * penalty_.AddGradient(weights, kGainPenaltyFactor, weight_gradient);
+  value += penalty_factor_ * penalty_.AddGradient(weights, penalty_factor_, weight_gradient);
   if (gradient != nullptr) head_.Backward(parameters, weight_gradient, gradient);
   return value;
 }

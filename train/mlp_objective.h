@@ -1,7 +1,7 @@
 // What the optimizers minimise: objective `warp` and the bound on gain, as a function of the MLP's
 // parameters.
 //
-//   J(theta) = L(w(theta)) + kGainPenaltyFactor * P(w(theta))
+//   J(theta) = L(w(theta)) + f P(w(theta)), f the factor of the penalty
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,15 @@
 
 namespace warplut {
 
-// High enough that what is left above the bound is of the order of 1e-3.
-inline constexpr double kGainPenaltyFactor = 2.0;
+// The factor of the penalty by which weights are finally judged: high enough that what is left above the bound is of the
+// order of 1e-4.
+inline constexpr double kGainPenaltyFactor = 20.0;
 
 class MlpObjective {
  public:
   // `warp` must outlive this.
-  MlpObjective(const WarpObjective& warp, double gain_bound) : warp_(warp), penalty_(gain_bound) {}
+  MlpObjective(const WarpObjective& warp, double gain_bound, double penalty_factor)
+      : warp_(warp), penalty_(gain_bound), penalty_factor_(penalty_factor) {}
 
   // J(parameters), and its gradient where `gradient` is not null; kMlpParameters values each.
   // Counts evaluations.
@@ -29,12 +31,12 @@ class MlpObjective {
   const CanonicalWeights<double>& WeightsOf(const double* parameters) {
     return head_.Forward(parameters);
   }
-  const GainPenalty& penalty() const { return penalty_; }
   std::int64_t evaluations() const { return evaluations_; }
 
  private:
   const WarpObjective& warp_;
   GainPenalty penalty_;
+  double penalty_factor_;
   HeadBatch head_;
   std::int64_t evaluations_ = 0;
 };

@@ -47,7 +47,7 @@ RolloutWorkspace::RolloutWorkspace(int width, int height, int max_warps)
       gradient_(width, height),
       next_gradient_(width, height) {}
 
-void RolloutWorkspace::Forward(const BorderedPlane& image, Ssim& ssim,
+void RolloutWorkspace::Forward(const BorderedPlane& image, const Ssim& ssim,
                                std::span<const RolloutStep> steps, std::span<const int> horizons,
                                const CanonicalWeights<double>& weights, std::span<double> losses) {
   std::size_t h = 0;
@@ -59,7 +59,7 @@ void RolloutWorkspace::Forward(const BorderedPlane& image, Ssim& ssim,
   }
 }
 
-void RolloutWorkspace::Backward(const BorderedPlane& image, Ssim& ssim,
+void RolloutWorkspace::Backward(const BorderedPlane& image, const Ssim& ssim,
                                 std::span<const RolloutStep> steps, std::span<const int> horizons,
                                 std::span<const double> factors,
                                 const CanonicalWeights<double>& weights,

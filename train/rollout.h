@@ -39,13 +39,13 @@ class RolloutWorkspace {
 
   // Warps `image` (border filled) along `steps`. losses[h] receives 1 - SSIM after horizons[h]
   // warps, against what `ssim` was made with (InnerView of the image).
-  void Forward(const BorderedPlane& image, Ssim& ssim, std::span<const RolloutStep> steps,
+  void Forward(const BorderedPlane& image, const Ssim& ssim, std::span<const RolloutStep> steps,
                std::span<const int> horizons, const CanonicalWeights<double>& weights,
                std::span<double> losses);
 
   // After Forward with the same arguments: adds to `gradient` the derivative of the sum of
   // factors[h] * losses[h] with respect to the weights.
-  void Backward(const BorderedPlane& image, Ssim& ssim, std::span<const RolloutStep> steps,
+  void Backward(const BorderedPlane& image, const Ssim& ssim, std::span<const RolloutStep> steps,
                 std::span<const int> horizons, std::span<const double> factors,
                 const CanonicalWeights<double>& weights, CanonicalWeights<double>& gradient);
 

@@ -53,7 +53,7 @@ HWY_INLINE V Horizontal(const float* taps, const float* row) {
 }
 
 // Window means and variances of y itself.
-void PrepareSsim(const SsimRows& s) {
+void PrepareSsim(const SsimRows& s, float* mean_y, float* var_y) {
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int map_width = s.width - kWindow + 1;
@@ -78,8 +78,8 @@ void PrepareSsim(const SsimRows& s) {
     for (int i = 0; i < map_width; i += lanes) {
       const V mean = Horizontal(s.taps, sums + i);
       const V square_mean = Horizontal(s.taps, sums + s.stride + i);
-      hn::StoreU(mean, d, s.mean_y + r * s.stride + i);
-      hn::StoreU(hn::NegMulAdd(mean, mean, square_mean), d, s.var_y + r * s.stride + i);
+      hn::StoreU(mean, d, mean_y + r * s.stride + i);
+      hn::StoreU(hn::NegMulAdd(mean, mean, square_mean), d, var_y + r * s.stride + i);
     }
   }
 }
@@ -252,6 +252,13 @@ namespace {
 // Room for a vector and the window past the end of a row.
 constexpr std::ptrdiff_t kRowPad = 16 + kSsimWindow + 16;
 
+// Zeroed rows for one pass; valid until the thread's next call.
+float* Scratch(std::ptrdiff_t stride) {
+  thread_local std::vector<float> scratch;
+  scratch.assign(static_cast<std::size_t>(stride) * kSsimScratchRows, 0);
+  return scratch.data();
+}
+
 }  // namespace
 
 Ssim::Ssim(const PlaneView& y)
@@ -265,24 +272,23 @@ Ssim::Ssim(const PlaneView& y)
   }
   mean_y_.assign(plane, 0);
   var_y_.assign(plane, 0);
-  scratch_.assign(static_cast<std::size_t>(stride_) * kSsimScratchRows, 0);
-  HWY_DYNAMIC_DISPATCH(PrepareSsim)(Rows());
+  HWY_DYNAMIC_DISPATCH(PrepareSsim)(Rows(Scratch(stride_)), mean_y_.data(), var_y_.data());
 }
 
-SsimRows Ssim::Rows() {
+SsimRows Ssim::Rows(float* scratch) const {
   return {width_,    height_,        stride_,       taps_.data(),
-          y_.data(), mean_y_.data(), var_y_.data(), scratch_.data()};
+          y_.data(), mean_y_.data(), var_y_.data(), scratch};
 }
 
-double Ssim::Mean(const PlaneView& x) {
-  return HWY_DYNAMIC_DISPATCH(SsimMean)(Rows(), x.data, x.stride) / MapSize();
+double Ssim::Mean(const PlaneView& x) const {
+  return HWY_DYNAMIC_DISPATCH(SsimMean)(Rows(Scratch(stride_)), x.data, x.stride) / MapSize();
 }
 
 double Ssim::MeanAndGradient(const PlaneView& x, float scale, float* gradient,
-                             std::ptrdiff_t gradient_stride) {
-  return HWY_DYNAMIC_DISPATCH(SsimGradient)(Rows(), x.data, x.stride,
-                                            static_cast<float>(scale / MapSize()), gradient,
-                                            gradient_stride) /
+                             std::ptrdiff_t gradient_stride) const {
+  const auto map_scale = static_cast<float>(scale / MapSize());
+  return HWY_DYNAMIC_DISPATCH(SsimGradient)(Rows(Scratch(stride_)), x.data, x.stride, map_scale,
+                                            gradient, gradient_stride) /
          MapSize();
 }
 

@@ -45,24 +45,23 @@ class Ssim {
   explicit Ssim(const PlaneView& y);
 
   // Mean SSIM of x, of y's size (not checked). Accuracy: kSsimAccuracy.
-  double Mean(const PlaneView& x);
+  double Mean(const PlaneView& x) const;
 
   // The same, and adds scale * d(mean SSIM)/dx to `gradient` (row stride in floats, y's size).
   double MeanAndGradient(const PlaneView& x, float scale, float* gradient,
-                         std::ptrdiff_t gradient_stride);
+                         std::ptrdiff_t gradient_stride) const;
 
  private:
-  SsimRows Rows();
+  SsimRows Rows(float* scratch) const;
   double MapSize() const;
 
   int width_ = 0;
   int height_ = 0;
   std::ptrdiff_t stride_ = 0;  // of every plane and row below, in floats
   std::array<float, kSsimWindow> taps_{};
-  std::vector<float> y_;        // y - 1/2, height_ rows
-  std::vector<float> mean_y_;   // window means of y, per pixel of the map
-  std::vector<float> var_y_;    // window variances of y
-  std::vector<float> scratch_;  // rings of rows, see ssim_rows.h
+  std::vector<float> y_;       // y - 1/2, height_ rows
+  std::vector<float> mean_y_;  // window means of y, per pixel of the map
+  std::vector<float> var_y_;   // window variances of y
 };
 
 }  // namespace warplut

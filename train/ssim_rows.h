@@ -11,9 +11,9 @@ struct SsimRows {
   std::ptrdiff_t stride = 0;    // of every row below; rows may be read and written in whole vectors
   const float* taps = nullptr;  // kSsimWindow
   const float* y = nullptr;     // y - 1/2
-  float* mean_y = nullptr;
-  float* var_y = nullptr;
-  float* scratch = nullptr;  // kSsimScratchRows rows, zero beyond what the kernels write
+  const float* mean_y = nullptr;
+  const float* var_y = nullptr;
+  float* scratch = nullptr;  // kSsimScratchRows rows, zero at first
 };
 
 // Rings of 11 rows of u, u^2, u v and of the three derivatives, and six single rows.

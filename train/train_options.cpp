@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "luts/certificate.h"
+
 namespace warplut {
 namespace {
 
@@ -88,7 +90,7 @@ std::vector<int> DefaultHorizons(double scale) {
 }
 
 double DefaultGainBound(int longest_horizon) {
-  return std::pow(kHorizonGrowth, 1.0 / longest_horizon);
+  return std::pow(kSafeGrowth, (1 - kGrowthReserve) / longest_horizon);
 }
 
 }  // namespace warplut

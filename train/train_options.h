@@ -15,13 +15,13 @@ constexpr const char* Name(Optimizer optimizer) {
 }
 
 inline constexpr int kMaxHorizon = 1024;
-inline constexpr int kDefaultStages = 6;
-inline constexpr int kDefaultLbfgsIterations = 20;  // per stage
+inline constexpr int kDefaultStages = 5;
+inline constexpr int kDefaultLbfgsIterations = 40;  // per stage
 inline constexpr int kDefaultAdamIterations = 100;
 
 // The work of one evaluation: crops times the longest horizon. More crops generalise better and
 // take longer.
-inline constexpr int kDefaultCropWarps = 96 * 64;
+inline constexpr int kDefaultCropWarps = 48 * 64;
 
 struct TrainOptions {
   double scale = 2;           // output / render, [1, 4]
@@ -51,10 +51,10 @@ struct TrainOptions {
 // factor 2.
 std::vector<int> DefaultHorizons(double scale);
 
-// The gain whose power at the longest horizon is kHorizonGrowth.
+// The gain whose power at the longest horizon is kSafeGrowth (luts/certificate.h), less kGrowthReserve of its logarithm
+// for what the penalty lets through and what quantisation adds.
 double DefaultGainBound(int longest_horizon);
 
-// How much the worst frequency may grow at one and the same offset over the longest horizon.
-inline constexpr double kHorizonGrowth = 2;
+inline constexpr double kGrowthReserve = 0.1;
 
 }  // namespace warplut

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "datasets/error.h"
@@ -44,6 +45,20 @@ std::vector<Image> CheckedLuma(const std::vector<TrainImage>& images) {
   return luma;
 }
 
+// How a stage differs from the last one: fewer crops, and a smoother objective.
+struct Stage {
+  int crops = 0;
+  double power = 0;
+  double penalty_factor = 0;
+};
+
+Stage MakeStage(const TrainOptions& options, int index) {
+  const int left = options.stages - 1 - index;
+  const double softening = std::pow(0.5, std::min(left, 3));
+  return {std::max(1, options.crops * (index + 1) / options.stages), kProtocolPower * softening,
+          kGainPenaltyFactor * softening};
+}
+
 class Training {
  public:
   Training(const TrainOptions& options, const std::vector<TrainImage>& images,
@@ -51,7 +66,9 @@ class Training {
       : options_(options.Resolved()),
         progress_(progress),
         luma_(CheckedLuma(images)),
-        validation_(MakeObjective(options_.crops / 3 + 1, SeedFor::kValidation, 0)) {
+        penalty_(options_.gain_bound),
+        validation_(DrawCrops(luma_, options_.crops / 3 + 1, Seed(options_, SeedFor::kValidation)),
+                    options_.horizons, Seed(options_, SeedFor::kValidation, 1)) {
     std::string identity = options_.Json();
     for (const TrainImage& image : images) identity += image.record.sha1;
     state_.made_for = Sha1(identity);
@@ -74,19 +91,16 @@ class Training {
   Fit MakeFit(const std::vector<TrainImage>& images);
 
  private:
-  WarpObjective MakeObjective(int crops, SeedFor part, int index) const {
-    return {DrawCrops(luma_, crops, Seed(options_, part, index)), options_.horizons,
-            Seed(options_, part, index + 1)};
-  }
   double Seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   bool OutOfTime() const { return options_.max_seconds > 0 && Seconds() >= options_.max_seconds; }
   bool RunStage();
   bool Report(int iteration, std::int64_t evaluations, double loss);
-  void FinishStage(std::int64_t evaluations, double loss, const GainPenalty& penalty);
+  void FinishStage(std::int64_t evaluations, double loss);
 
   const TrainOptions options_;
   const TrainCallback& progress_;
   const std::vector<Image> luma_;
+  const GainPenalty penalty_;
   const WarpObjective validation_;
   HeadBatch head_;
   Checkpoint state_;
@@ -104,8 +118,11 @@ bool Training::Report(int iteration, std::int64_t evaluations, double loss) {
 }
 
 bool Training::RunStage() {
-  const WarpObjective warp = MakeObjective(options_.crops, SeedFor::kStages, 2 * state_.stage);
-  MlpObjective objective(warp, options_.gain_bound);
+  const Stage stage = MakeStage(options_, state_.stage);
+  const WarpObjective warp(
+      DrawCrops(luma_, stage.crops, Seed(options_, SeedFor::kStages, 2 * state_.stage)),
+      validation_, Seed(options_, SeedFor::kStages, 2 * state_.stage + 1), stage.power);
+  MlpObjective objective(warp, options_.gain_bound, stage.penalty_factor);
   std::vector<double> parameters = state_.parameters;
   AdamState adam = state_.adam;
   int iteration = 0;
@@ -124,17 +141,17 @@ bool Training::RunStage() {
   if (stopped) return false;
   state_.parameters = std::move(parameters);
   state_.adam = std::move(adam);
-  FinishStage(objective.evaluations(), loss, objective.penalty());
+  FinishStage(objective.evaluations(), loss);
   return true;
 }
 
-void Training::FinishStage(std::int64_t evaluations, double loss, const GainPenalty& penalty) {
+void Training::FinishStage(std::int64_t evaluations, double loss) {
   ++state_.stage;
   state_.evaluations += evaluations;
   const CanonicalWeights<double>& weights = head_.Forward(state_.parameters.data());
   CanonicalWeights<double> unused{};
   const double validation =
-      validation_.Evaluate(weights) + kGainPenaltyFactor * penalty.AddGradient(weights, 0, unused);
+      validation_.Evaluate(weights) + kGainPenaltyFactor * penalty_.AddGradient(weights, 0, unused);
   state_.seconds = Seconds();
   state_.loss.push_back({state_.seconds, state_.evaluations, loss, validation});
   if (validation < state_.best_validation) {

@@ -34,35 +34,48 @@ std::vector<Protocol> MakeProtocols(std::span<const int> horizons) {
   for (const Offsets offsets : {Offsets::kHalf, Offsets::kRandom}) {
     for (const int warps : horizons) protocols.push_back({warps, offsets});
   }
+  int& longest_half = protocols[horizons.size() - 1].warps;
+  longest_half = 2 * static_cast<int>(std::lround(kHalfReserve * longest_half / 2));
   return protocols;
 }
 
 WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons,
-                             std::uint64_t seed)
-    : WarpObjective(std::move(crops), std::move(horizons), seed, {}) {
+                             std::uint64_t seed, double power)
+    : crops_(std::move(crops)),
+      random_horizons_(std::move(horizons)),
+      power_(power),
+      protocols_(MakeProtocols(random_horizons_)) {
+  AddRollouts(seed);
   baselines_ = FindBaselines();
 }
 
-WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons,
-                             std::uint64_t seed, std::vector<double> baselines)
+WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const WarpObjective& like,
+                             std::uint64_t seed, double power)
     : crops_(std::move(crops)),
-      horizons_(std::move(horizons)),
-      protocols_(MakeProtocols(horizons_)),
-      baselines_(std::move(baselines)) {
+      random_horizons_(like.random_horizons_),
+      power_(power),
+      protocols_(like.protocols_),
+      baselines_(like.baselines_) {
   AddRollouts(seed);
+  const CanonicalWeights<double> catmull_rom = KeysCanonicalWeights(kCatmullRomA);
+  const std::vector<double> here = Losses(catmull_rom);
+  const std::vector<double> there = like.Losses(catmull_rom);
+  for (std::size_t i = 0; i < baselines_.size(); ++i) baselines_[i] *= here[i] / there[i];
 }
 
 void WarpObjective::AddRollouts(std::uint64_t seed) {
-  const int longest = horizons_.back();
-  const int half_protocols = static_cast<int>(horizons_.size());
-  const auto half = ToSteps(MakeTrajectory(Offsets::kHalf, horizons_, kNodes, 0));
+  for (const BorderedPlane& crop : crops_) ssim_.emplace_back(InnerView(crop));
+  const int longest = random_horizons_.back();
+  const int half_protocols = static_cast<int>(random_horizons_.size());
+  for (int h = 0; h < half_protocols; ++h) half_horizons_.push_back(protocols_[h].warps);
+  const auto half = ToSteps(MakeTrajectory(Offsets::kHalf, half_horizons_, kNodes, 0));
   rollouts_per_protocol_.assign(protocols_.size(), 0);
   std::uint64_t trajectory = 0;
   for (int c = 0; c < static_cast<int>(crops_.size()); ++c) {
-    rollouts_.push_back({c, half, horizons_, 0});
+    rollouts_.push_back({c, half, half_horizons_, 0});
     for (int h = 0; h < half_protocols; ++h) {
       ++rollouts_per_protocol_[h];
-      const std::span<const int> horizon(&horizons_[h], 1);
+      const std::span<const int> horizon(&random_horizons_[h], 1);
       for (int warps = 0; warps < longest; warps += horizon[0]) {
         const std::uint64_t trajectory_seed = DeriveSeed(seed, trajectory++);
         rollouts_.push_back(
@@ -75,13 +88,14 @@ void WarpObjective::AddRollouts(std::uint64_t seed) {
 }
 
 std::vector<double> WarpObjective::Losses(const CanonicalWeights<double>& weights) const {
-  const std::size_t n = horizons_.size();
+  const std::size_t n = random_horizons_.size();
   std::vector<double> losses(rollouts_.size() * n);
-  Workspaces workspaces(RolloutWorkspace(crops_[0].width(), crops_[0].height(), horizons_.back()));
+  Workspaces workspaces(
+      RolloutWorkspace(crops_[0].width(), crops_[0].height(), half_horizons_.back()));
   tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
     const Rollout& rollout = rollouts_[r];
-    Ssim ssim(InnerView(crops_[rollout.crop]));
-    workspaces.local().Forward(crops_[rollout.crop], ssim, rollout.steps, rollout.horizons, weights,
+    workspaces.local().Forward(crops_[rollout.crop], ssim_[rollout.crop], rollout.steps,
+                               rollout.horizons, weights,
                                std::span(losses).subspan(r * n, rollout.horizons.size()));
   });
   std::vector<double> means(protocols_.size(), 0.0);
@@ -96,7 +110,7 @@ std::vector<double> WarpObjective::Losses(const CanonicalWeights<double>& weight
 }
 
 std::vector<double> WarpObjective::FindBaselines() const {
-  const std::size_t n = horizons_.size();
+  const std::size_t n = random_horizons_.size();
   std::vector<double> least(protocols_.size(), std::numeric_limits<double>::infinity());
   std::vector<double> durable;
   for (int i = 0; i < KeysCount(); ++i) {
@@ -110,17 +124,17 @@ std::vector<double> WarpObjective::FindBaselines() const {
 }
 
 double WarpObjective::Combine(std::span<const double> losses, std::span<double> factors) const {
-  const std::size_t n = horizons_.size();
+  const std::size_t n = random_horizons_.size();
   double total = 0;
   for (const std::size_t first : {std::size_t{0}, n}) {
     double mean = 0;
     for (std::size_t i = first; i < first + n; ++i) {
-      mean += std::pow(losses[i] / baselines_[i], kProtocolPower) / static_cast<double>(n);
+      mean += std::pow(losses[i] / baselines_[i], power_) / static_cast<double>(n);
     }
-    const double power_mean = std::pow(mean, 1 / kProtocolPower);
+    const double power_mean = std::pow(mean, 1 / power_);
     total += power_mean / 2;
     for (std::size_t i = first; i < first + n; ++i) {
-      factors[i] = std::pow(losses[i] / baselines_[i] / power_mean, kProtocolPower - 1) /
+      factors[i] = std::pow(losses[i] / baselines_[i] / power_mean, power_ - 1) /
                    (2 * static_cast<double>(n) * baselines_[i]);
     }
   }
@@ -135,13 +149,14 @@ double WarpObjective::Evaluate(const CanonicalWeights<double>& weights,
   for (std::size_t i = 0; i < factors.size(); ++i) factors[i] /= rollouts_per_protocol_[i];
 
   std::vector<CanonicalWeights<double>> gradients(rollouts_.size());
-  Workspaces workspaces(RolloutWorkspace(crops_[0].width(), crops_[0].height(), horizons_.back()));
+  Workspaces workspaces(
+      RolloutWorkspace(crops_[0].width(), crops_[0].height(), half_horizons_.back()));
   tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
     const Rollout& rollout = rollouts_[r];
     const BorderedPlane& image = crops_[rollout.crop];
     const std::size_t count = rollout.horizons.size();
     RolloutWorkspace& workspace = workspaces.local();
-    Ssim ssim(InnerView(image));
+    const Ssim& ssim = ssim_[rollout.crop];
     std::vector<double> losses(count);
     workspace.Forward(image, ssim, rollout.steps, rollout.horizons, weights, losses);
     workspace.Backward(image, ssim, rollout.steps, rollout.horizons,

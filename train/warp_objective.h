@@ -1,18 +1,15 @@
-// Objective `warp`: how much of an image repeated warps lose, compared with the best that a Keys
-// kernel does.
+// Objective `warp`: how much of an image repeated warps lose, compared with the best that a Keys kernel does.
 //
-// A protocol i is a kind of offsets (half, random) and a number of warps N; l_i(w) is the mean of 1
-// - SSIM after N warps with the weights w, over crops and trajectories. With a baseline b_i for
-// each protocol,
+// A protocol i is a kind of offsets (half, random) and a number of warps N; l_i(w) is the mean of 1 - SSIM after N warps
+// with the weights w, over crops and trajectories. With a baseline b_i for each protocol,
 //
 //   L(w) = ( M(half protocols) + M(random protocols) ) / 2,   M = ( mean of (l_i / b_i)^p )^(1/p)
 //
-// A large p lets the protocol count in which w does worst against the baseline, so that no horizon
-// is bought with another; L < 1 means better than the baselines. They are, on the same crops and
-// trajectories: for random offsets the best Keys kernel for that very protocol; for half-pixel
-// warps, and for the longest random horizon, the Keys kernel that is best for the longest
-// half-pixel horizon, since one half-pixel node must serve all of them. Source of the loss:
-// Mob-FGSR supplement, section 5; protocols, baselines and the power mean are ours.
+// The larger p, the more the protocol counts in which w does worst against the baseline, so that no horizon is bought
+// with another; L < 1 means better than the baselines. They are, on the same crops and trajectories: for random offsets
+// the best Keys kernel for that very protocol; for half-pixel warps, and for the longest random horizon, the Keys kernel
+// that is best for the longest half-pixel horizon, since one half-pixel node must serve all of them.
+// Source of the loss: Mob-FGSR supplement, section 5; protocols, baselines and the power mean are ours.
 #pragma once
 
 #include <cstdint>
@@ -23,21 +20,28 @@
 
 namespace warplut {
 
-inline constexpr double kProtocolPower = 16;
+// The power p by which weights are finally judged.
+inline constexpr double kProtocolPower = 64;
 
-// The half-pixel protocols of these horizons, then the random ones.
+// The longest half-pixel horizon over the longest horizon. All half-pixel warps use one node, and its best weights for a
+// long horizon stand close to the limit beyond which an image rings; where the limit is depends on the content, so the
+// training keeps some distance.
+inline constexpr double kHalfReserve = 1.25;
+
+// The half-pixel protocols of these horizons, the longest of which is kHalfReserve times longer, then the random ones.
 std::vector<Protocol> MakeProtocols(std::span<const int> horizons);
 
 class WarpObjective {
  public:
-  // Each crop is rolled out along the half-pixel trajectory, and for each random protocol along so
-  // many trajectories of its own that every protocol warps about equally often. Horizons even,
-  // ascending. Baselines as above.
-  WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons, std::uint64_t seed);
-
-  // The same with the baselines of another objective of the same horizons.
+  // Each crop is rolled out along the half-pixel trajectory, and for each random protocol along so many trajectories of
+  // its own that every protocol warps about equally often. Horizons even, ascending. Baselines as above.
   WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons, std::uint64_t seed,
-                std::vector<double> baselines);
+                double power = kProtocolPower);
+
+  // With the baselines of `like`, of the same horizons, scaled protocol by protocol by what Catmull-Rom loses on these
+  // crops over what it loses on those: no Keys kernels are searched.
+  WarpObjective(std::vector<BorderedPlane> crops, const WarpObjective& like, std::uint64_t seed,
+                double power);
 
   // L(weights); with `gradient`, also writes dL/d(weights). Rollouts run in parallel and are added
   // in a fixed order: the same bits for any number of threads.
@@ -62,11 +66,13 @@ class WarpObjective {
   void AddRollouts(std::uint64_t seed);
   std::vector<double> FindBaselines() const;
 
-  // factors[i] = dL/dl_i.
+  // L; factors[i] = dL/dl_i.
   double Combine(std::span<const double> losses, std::span<double> factors) const;
 
   std::vector<BorderedPlane> crops_;
-  std::vector<int> horizons_;
+  std::vector<Ssim> ssim_;  // of the crops
+  std::vector<int> half_horizons_, random_horizons_;
+  double power_;
   std::vector<Protocol> protocols_;
   std::vector<Rollout> rollouts_;
   std::vector<double> rollouts_per_protocol_;
@@ -77,8 +83,8 @@ class WarpObjective {
 CanonicalWeights<double> KeysCanonicalWeights(double a);
 
 // The Keys parameters that are looked at when a best one is wanted.
-inline constexpr double kKeysFirst = -0.40;
-inline constexpr double kKeysLast = -0.90;
+inline constexpr double kKeysFirst = -0.50;
+inline constexpr double kKeysLast = -0.86;
 inline constexpr double kKeysStep = 0.02;
 
 // The parameter a of the Keys kernel with the least L: the baseline that a fit must beat.

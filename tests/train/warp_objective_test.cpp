@@ -11,7 +11,7 @@ namespace {
 WarpObjective Make() {
   std::vector<BorderedPlane> crops;
   for (std::uint64_t i = 0; i < 3; ++i) crops.push_back(ToPlane(NoiseImage(64, 64, i)));
-  return {std::move(crops), {2, 6, 8}, 5};
+  return {std::move(crops), {2, 6, 8}, 5, 8};
 }
 
 TEST(WarpObjective, ProtocolsAreHalfThenRandom) {
