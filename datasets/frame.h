@@ -27,10 +27,10 @@ struct Camera {
 //                     is seen at the pixel; y down. The previous position is p - m. No jitter in it.
 //   jitter            LR pixel (i, j) shows what projects, unjittered, to (i + 0.5 + x, j + 0.5 + y).
 struct Frame {
-  int number = 0;      // as in the file names
-  bool cut = false;    // shares nothing with the frame before
-  Image color, depth, motion;                               // render grid (LR)
-  Image reference, reference_depth, reference_motion;       // output grid (HR)
+  int number = 0;                                      // as in the file names
+  bool cut = false;                                    // shares nothing with the frame before
+  Image color, depth, motion;                          // render grid (LR)
+  Image reference, reference_depth, reference_motion;  // output grid (HR)
   Vec2 jitter;
   std::optional<Camera> camera;
 };

@@ -149,8 +149,7 @@ OIIO::ImageSpec OutputSpec(const Image& image, PixelType type,
   return spec;
 }
 
-// The bytes of the file: encoded in memory, so that every write to the disk is checked in one
-// place.
+// The bytes of the file: encoded in memory, so that every write to the disk is checked in one place.
 std::vector<unsigned char> Encode(const fs::path& path, const Image& image, PixelType type,
                                   const std::vector<std::string>& names) {
   std::vector<unsigned char> bytes;

@@ -1,5 +1,4 @@
-// JSON that people wrote by hand, read without guessing: each field once, none missing, none
-// unknown.
+// JSON that people wrote by hand, read without guessing: each field once, none missing, none unknown.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,4 @@
-// The tables that ship: a fit in luts/fits/NAME.json and what is baked from it in
-// luts/baked/NAME.{h,json,exr}.
+// The tables that ship: a fit in luts/fits/NAME.json and what is baked from it in luts/baked/NAME.{h,json,exr}.
 #pragma once
 
 #include <array>

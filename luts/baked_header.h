@@ -9,8 +9,7 @@
 
 namespace warplut {
 
-// The text of NAME.h: banner, provenance and certificate as comments, then the values and their
-// TableView.
+// The text of NAME.h: banner, provenance and certificate as comments, then the values and their TableView.
 std::string BakedHeader(const Fit& fit, const TableView& table, const Certificate& certificate);
 
 }  // namespace warplut

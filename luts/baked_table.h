@@ -13,8 +13,7 @@ namespace warplut {
 // Integers of a table format: weight = integer / 2^FractionBits(format), in [-2, 2).
 using IntegerRow = Weights<std::int32_t>;
 
-// Owns kTableValues stored weights. The alternatives are in the order of TableFormat; a half is
-// kept as its bits.
+// Owns kTableValues stored weights. The alternatives are in the order of TableFormat; a half is kept as its bits.
 class BakedTable {
  public:
   // Stores `rows` (kRows of them, each integer one that `format` can hold).
@@ -39,9 +38,8 @@ std::vector<IntegerRow> TableIntegers(const TableView& view, const std::string& 
 // The weights of an integer row.
 Weights<double> RealRow(const IntegerRow& row, TableFormat format);
 
-// Checks the contract: every row sums to exactly 1, row (0, 0) is the identity, and the zeros of
-// nodes with dx = 0 or dy = 0. An Error names `name`, the node, what was found (the sum, or the
-// weight) and what was expected.
+// Checks the contract: every row sums to exactly 1, row (0, 0) is the identity, and the zeros of nodes with
+// dx = 0 or dy = 0. An Error names `name`, the node, what was found (the sum, or the weight) and what was expected.
 void CheckTable(const TableView& view, const std::string& name);
 
 }  // namespace warplut

@@ -20,12 +20,12 @@
 
 namespace warplut {
 
-inline constexpr int kNodes = 32;                       // nodes per axis
-inline constexpr int kTaps = 4;                         // taps per axis
-inline constexpr int kFirstTap = -1;                    // tap of kx = 0
-inline constexpr int kWeights = kTaps * kTaps;          // weights per node
-inline constexpr int kRows = kNodes * kNodes;           // rows of a table
-inline constexpr int kTableValues = kRows * kWeights;   // numbers in a table
+inline constexpr int kNodes = 32;                                       // nodes per axis
+inline constexpr int kTaps = 4;                                         // taps per axis
+inline constexpr int kFirstTap = -1;                                    // tap of kx = 0
+inline constexpr int kWeights = kTaps * kTaps;                          // weights per node
+inline constexpr int kRows = kNodes * kNodes;                           // rows of a table
+inline constexpr int kTableValues = kRows * kWeights;                   // numbers in a table
 inline constexpr int kIdentityWeight = -kFirstTap * kTaps - kFirstTap;  // weight of tap (0, 0)
 
 static_assert(kNodes % 2 == 0, "one half must be a node");
@@ -41,29 +41,37 @@ constexpr double NodeOffset(int i) { return static_cast<double>(i) / kNodes; }
 template <class T>
 using Weights = std::array<T, kWeights>;
 
-// How a table stores its weights. Each format is an integer grid: weight = stored / 2^shift.
-//   i16  int16, shift 14.  Weights in [-2, 2).
-//   f16  IEEE half whose values are multiples of 2^-11 (of 2^-10 above 1).
-//   i8   int8, shift 6.    Weights in [-2, 2).
-//   f32  float whose values are multiples of 2^-22.
+// How a table stores its weights: integers q of a grid, weight = q / 2^FractionBits, in [-2, 2) in every format.
+//   i16  int16 q, 14 fraction bits.
+//   f16  IEEE half, a multiple of 2^-11 (of 2^-10 above 1 in magnitude).
+//   i8   int8 q, 6 fraction bits.
+//   f32  float, a multiple of 2^-22.
 enum class TableFormat : std::uint8_t { kI16, kF16, kI8, kF32 };
 
 constexpr int FractionBits(TableFormat format) {
   switch (format) {
-    case TableFormat::kI16: return 14;
-    case TableFormat::kF16: return 11;
-    case TableFormat::kI8: return 6;
-    case TableFormat::kF32: return 22;
+    case TableFormat::kI16:
+      return 14;
+    case TableFormat::kF16:
+      return 11;
+    case TableFormat::kI8:
+      return 6;
+    case TableFormat::kF32:
+      return 22;
   }
   return 0;
 }
 
 constexpr const char* Name(TableFormat format) {
   switch (format) {
-    case TableFormat::kI16: return "i16";
-    case TableFormat::kF16: return "f16";
-    case TableFormat::kI8: return "i8";
-    case TableFormat::kF32: return "f32";
+    case TableFormat::kI16:
+      return "i16";
+    case TableFormat::kF16:
+      return "f16";
+    case TableFormat::kI8:
+      return "i8";
+    case TableFormat::kF32:
+      return "f32";
   }
   return "";
 }

@@ -23,12 +23,6 @@ bool OneOf(const std::string& text, std::initializer_list<const char*> list) {
   return std::any_of(list.begin(), list.end(), [&](const char* item) { return text == item; });
 }
 
-bool IsIdentifier(const std::string& text) {
-  if (text.empty() || std::isdigit(static_cast<unsigned char>(text[0]))) return false;
-  return std::all_of(text.begin(), text.end(),
-                     [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); });
-}
-
 // One line: no control characters.
 bool IsLine(const std::string& text) {
   return std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127; });
@@ -121,8 +115,8 @@ std::string RecordFault(const Fit& fit) {
       return fmt::format("validation[{}].filter is \"{}\", expected lut, keys or catmull-rom", i,
                          score.filter);
     }
-    if (!OneOf(score.offsets, {"half", "random"})) {
-      return fmt::format("validation[{}].offsets is \"{}\", expected half or random", i,
+    if (!OneOf(score.offsets, {"half", "random", "pan"})) {
+      return fmt::format("validation[{}].offsets is \"{}\", expected half, random or pan", i,
                          score.offsets);
     }
     if (score.warps < 1 || score.warps > kMaxHorizon) {
@@ -234,6 +228,15 @@ Fit FromJson(JsonFields fields) {
 
 }  // namespace
 
+bool IsIdentifier(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return !text.empty() && !is_digit(text.front()) &&
+         std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || is_digit(c); });
+}
+
 bool Fit::IsValid(std::string* why) const {
   std::string fault = HeadFault(*this);
   if (fault.empty()) fault = RecordFault(*this);
@@ -243,7 +246,7 @@ bool Fit::IsValid(std::string* why) const {
 
 Fit ReadFit(const std::filesystem::path& path) {
   const nlohmann::json json = ReadJson(path);
-  const Fit fit = FromJson(JsonFields(json, JsonPlace(path.string(), "")));
+  Fit fit = FromJson(JsonFields(json, JsonPlace(path.string(), "")));
   std::string why;
   if (!fit.IsValid(&why)) throw Error(fmt::format("'{}': field {}", path.string(), why));
   return fit;

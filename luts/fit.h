@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "luts/mlp.h"
@@ -28,25 +29,28 @@ struct FitLoss {
 
 // A validation score: mean SSIM after `warps` warps.
 struct FitScore {
-  std::string filter;   // "lut", "keys", "catmull-rom"
+  std::string filter;  // "lut", "keys", "catmull-rom"
   int warps = 0;
-  std::string offsets;  // "half" or "random"
+  std::string offsets;  // "half", "random" or "pan"
   double ssim = 0;
 };
+
+// Whether `text` can name a fit, and what is generated from it: ASCII letters, digits and _, the first not a digit.
+bool IsIdentifier(std::string_view text);
 
 struct Fit {
   static constexpr int kVersion = 1;
 
-  std::string name;                  // identifier: letters, digits, _; first not a digit
-  double scale = 2;                  // output / render, >= 1
+  std::string name;  // IsIdentifier
+  double scale = 2;  // output / render, >= 1
   std::string objective = "warp";
-  std::string optimizer;             // "lbfgs", "adam", "lm"
-  std::vector<int> horizons;         // numbers of warps, ascending, each in [1, 1024]
-  double gain_bound = 0;             // largest |H| asked for, of any node and frequency
-  double keys_a = 0;                 // the best Keys kernel on the same data and loss
+  std::string optimizer;      // "lbfgs", "adam", "lm"
+  std::vector<int> horizons;  // numbers of warps, ascending, each in [1, 1024]
+  double gain_bound = 0;      // largest |H| asked for, of any node and frequency
+  double keys_a = 0;          // the best Keys kernel on the same data and loss
   std::uint64_t seed = 0;
-  std::string options;               // the training's options: a JSON object on one line
-  std::vector<double> parameters;    // kMlpParameters finite values
+  std::string options;             // the training's options: a JSON object on one line
+  std::vector<double> parameters;  // kMlpParameters finite values
   std::vector<FitData> data;
   std::vector<FitLoss> loss;
   std::vector<FitScore> validation;

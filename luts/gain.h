@@ -22,9 +22,8 @@ struct Gain {
 // |H(f)|.
 double GainAt(const Weights<double>& w, double fx, double fy);
 
-// The largest |H|: a grid of 33 x 64 frequencies, then a compass search from every local maximum of
-// the grid that could lead to the largest (those whose |H|^2 is within kGridLoss of the best).
-// Accuracy: 1e-9 relative.
+// The largest |H|: a grid of 33 x 64 frequencies, then a compass search from every local maximum of the grid
+// that could lead to the largest (those whose |H|^2 is within kGridLoss of the best). Accuracy: 1e-9 relative.
 Gain MaxGain(const Weights<double>& w);
 
 // A maximum of |H|^2 loses at most this fraction at the nearest grid frequency: |H|^2 is a
@@ -38,9 +37,8 @@ struct GainMap {
   int worst = 0;            // row of the largest gain, the first one among equals
 };
 
-// MaxGain of every row of a checked table. Bilinear lookup between nodes has at most the gain of
-// the worst of the four: its weights are a convex combination of theirs, hence so is H, and |H| is
-// convex.
+// MaxGain of every row of a checked table. Bilinear lookup between nodes has at most the gain of the
+// worst of the four: its weights are a convex combination of theirs, hence so is H, and |H| is convex.
 GainMap MapGains(const TableView& table);
 
 }  // namespace warplut

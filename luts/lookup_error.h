@@ -20,9 +20,8 @@ struct LookupError {
 // them and so is the middle between two.
 inline constexpr int kErrorOffsets = 256;
 
-// The errors of every format and lookup, in that order, for the table of a valid fit: exact weights
-// are the head's in double, looked-up ones those of Table::At in float. An Error if the fit cannot
-// be quantised.
+// The errors of every format and lookup, in that order, for the table of a valid fit: exact weights are the
+// head's in double, looked-up ones those of Table::At in float. An Error if the fit cannot be quantised.
 std::vector<LookupError> MeasureLookupErrors(const Fit& fit);
 
 }  // namespace warplut

@@ -36,8 +36,7 @@ void CheckRow(const RealTable& table, TableFormat format, int ix, int jy) {
   }
 }
 
-// Groups of taps that the symmetries in `group` which leave the node in place exchange; contract
-// zeros left out.
+// Groups of taps that the symmetries in `group` which leave the node in place exchange; contract zeros left out.
 std::vector<std::vector<int>> TapGroups(int intervals, int ix, int jy, int group) {
   std::vector<std::vector<int>> groups;
   for (int k = 0; k < kWeights; ++k) {

@@ -43,8 +43,7 @@ void CloseSum(Weights<double>* w, double dx, double dy);
 // only the taps of the upper-left (lower-right) texel remain.
 bool IsContractZero(int intervals, int ix, int jy, int k);
 
-// The largest difference between a weight and its image under one of the 8 symmetries of the
-// square.
+// The largest difference between a weight and its image under one of the 8 symmetries of the square.
 double Asymmetry(const RealTable& table);
 
 }  // namespace warplut

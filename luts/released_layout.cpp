@@ -33,8 +33,7 @@ void CheckRow(const RealTable& table, int ix, int jy) {
   }
 }
 
-// The cells on both sides of a border must agree on it: column 2 at dx = 1 is column 1 at dx = 0,
-// and so for dy.
+// The cells on both sides of a border must agree on it: column 2 at dx = 1 is column 1 at dx = 0, and so for dy.
 void CheckSeam(const RealTable& table) {
   for (int i = 0; i <= kLast; ++i) {
     for (int k = 0; k < kTaps; ++k) {

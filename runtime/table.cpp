@@ -32,7 +32,7 @@ Table::Table(const TableView& view) : rows_(kTableNodes * kTableNodes) {
       const int shift_x = ix / kNodes;
       const int shift_y = jy / kNodes;
       const int row = RowIndex(ix % kNodes, jy % kNodes) * kWeights;
-      Weights<float>& out = rows_[static_cast<std::size_t>(jy * kTableNodes + ix)].weights;
+      Weights<float>& out = rows_[jy * kTableNodes + ix].weights;
       out.fill(0.0f);
       for (int ky = shift_y; ky < kTaps; ++ky) {
         for (int kx = shift_x; kx < kTaps; ++kx) {
@@ -45,13 +45,13 @@ Table::Table(const TableView& view) : rows_(kTableNodes * kTableNodes) {
 
 Weights<float> Table::At(float dx, float dy, Lookup lookup) const {
   if (lookup == Lookup::kNearest) {
-    return rows_[static_cast<std::size_t>(NearestNode(dy) * kTableNodes + NearestNode(dx))].weights;
+    return rows_[NearestNode(dy) * kTableNodes + NearestNode(dx)].weights;
   }
   const int ix = static_cast<int>(dx * kNodes);
   const int jy = static_cast<int>(dy * kNodes);
   const float fx = dx * kNodes - static_cast<float>(ix);
   const float fy = dy * kNodes - static_cast<float>(jy);
-  const std::size_t corner = static_cast<std::size_t>(jy * kTableNodes + ix);
+  const int corner = jy * kTableNodes + ix;
   Weights<float> w;
   for (int k = 0; k < kWeights; ++k) {
     const float upper = (1 - fx) * rows_[corner].weights[k] + fx * rows_[corner + 1].weights[k];

@@ -1,16 +1,13 @@
 // Warping: every output pixel p takes the history at p - m(p).
 //
-//   out(p) = sum over k = 0..15 of w_k(d) * history(t + (TapX(k), TapY(k))),   p - m(p) = t + d, d
-//   in [0, 1)^2
+//   out(p) = sum over k = 0..15 of w_k(d) * history(t + (TapX(k), TapY(k))),   p - m(p) = t + d,   d in [0, 1)^2
 //
-// with the weights w of the chosen filter, clamped texel coordinates at the borders, and m in
-// pixels of the image, from history to now (x right, y down). A NaN or infinite component of m
-// counts as zero; a position far outside gives the border texel. Where d = (0, 0) the texel is
-// copied, bit for bit.
+// with the weights w of the chosen filter, clamped texel coordinates at the borders, and m in pixels of
+// the image, from history to now (x right, y down). A NaN or infinite component of m counts as zero; a
+// position far outside gives the border texel. Where d = (0, 0) the texel is copied, bit for bit.
 //
-// RGBA8 rounds halves up and clamps to [0, 255]; RGBA16F is summed in float and rounded to nearest
-// even. Motion, history and output have one size; history and output one format; the output
-// overlaps neither input.
+// RGBA8 rounds halves up and clamps to [0, 255]; RGBA16F is summed in float and rounded to nearest even.
+// Motion, history and output have one size; history and output one format; the output overlaps neither input.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +24,7 @@ namespace warplut {
 // RGBA8: code values; exactly 0 for tables other than f32 with nearest lookup, as every sum is
 // exact in float.
 inline constexpr int kWarpRgba8Bound = 1;
-// Float formats: relative to the largest |texel| of the window (RGBA16F: plus one unit of the
-// result's last place).
+// Float formats: relative to the largest |texel| of the window (RGBA16F: plus one unit of the result's last place).
 inline constexpr float kWarpFloatBound = 0x1p-20f;
 
 // The largest width and height of an image.
@@ -48,13 +44,11 @@ struct WarpOptions {
 // The weights of the options' filter for an offset in [0, 1)^2.
 Weights<float> FilterWeights(const WarpOptions& options, float dx, float dy);
 
-// Whether a warp may be called: sizes, formats, strides and pointers fit; otherwise *why (if not
-// null) says why not.
+// Whether a warp may be called: sizes, formats, strides and pointers fit; otherwise *why (if not null) says why not.
 bool IsWarpable(const ImageView& history, const MotionView& motion, const MutableImageView& out,
                 const char** why);
 
-// The formula above, one pixel after the other: slow, obvious. Input is assumed to be checked, as
-// for Warp.
+// The formula above, one pixel after the other: slow, obvious. Input is assumed to be checked, as for Warp.
 void WarpReference(const ImageView& history, const MotionView& motion, const WarpOptions& options,
                    const MutableImageView& out);
 

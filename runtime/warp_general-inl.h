@@ -1,9 +1,8 @@
 // The kernel for pixels that have each their own motion.
 //
-// kRowPixels pixels of a row are processed in steps over all of them: split the motion, find or
-// compute the weights, sum weights times texels, round. A row of four RGBA texels is 16 channels,
-// hence one, two or four vectors; windows that touch the border are gathered with clamped
-// coordinates first.
+// kRowPixels pixels of a row are processed in steps over all of them: split the motion, find or compute
+// the weights, sum weights times texels, round. A row of four RGBA texels is 16 channels, hence one,
+// two or four vectors; windows that touch the border are gathered with clamped coordinates first.
 #if defined(WARPLUT_RUNTIME_WARP_GENERAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef WARPLUT_RUNTIME_WARP_GENERAL_INL_H_
 #undef WARPLUT_RUNTIME_WARP_GENERAL_INL_H_
@@ -27,8 +26,7 @@ struct Window {
   std::ptrdiff_t stride;
 };
 
-// Copies the window of pixel p with clamped coordinates. T is float where the format has no vector
-// load.
+// Copies the window of pixel p with clamped coordinates. T is float where the format has no vector load.
 template <class T, int kChannels>
 HWY_NOINLINE void GatherWindow(const ImageView& history, int tx, int ty, T* HWY_RESTRICT to) {
   for (int k = 0; k < kWeights; ++k) {
@@ -62,9 +60,8 @@ HWY_INLINE Window<T> FindWindow(const ImageView& history, int tx, int ty, T* HWY
   return {scratch, kTaps * kChannels};
 }
 
-// The weighted sum of an RGBA window; its kGroup blocks are partial sums. Weight 4 ky + kx is
-// repeated for the channels of its texel: vectors of 16 pick it from all weights, smaller ones from
-// those of a row.
+// The weighted sum of an RGBA window; its kGroup blocks are partial sums. Weight 4 ky + kx is repeated for
+// the channels of its texel: vectors of 16 pick it from all weights, smaller ones from those of a row.
 template <class T>
 HWY_INLINE hn::Vec<FloatTag> SumWindow(const float* HWY_RESTRICT weights, const Window<T>& window) {
   const FloatTag d;

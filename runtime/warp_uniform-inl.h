@@ -1,5 +1,4 @@
-// The kernel for pixels of one motion: a 4 x 4 stencil with one set of weights, vectorised along
-// the row.
+// The kernel for pixels of one motion: a 4 x 4 stencil with one set of weights, vectorised along the row.
 //
 // A strip's source window, borders clamped, is turned into floats first. The four rows of a strip
 // are summed together, so that each loaded vector serves up to four sums.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "tools/bench/ssim_benchmark.h"
 #include "tools/bench/warp_benchmark.h"
 #include "tools/command.h"
 
@@ -59,6 +60,26 @@ ExitCode RunBenchWarp(BenchArguments arguments) {
   return met ? ExitCode::kDone : ExitCode::kMissed;
 }
 
+struct BenchSsimArguments {
+  int width = 1920;
+  int height = 1080;
+  int repeats = 15;
+  bool json = false;
+};
+
+ExitCode RunBenchSsim(const BenchSsimArguments& arguments) {
+  const SsimBenchmark b = RunSsimBenchmark(arguments.width, arguments.height, arguments.repeats);
+  if (arguments.json) {
+    PrintJson({{"mpixels", b.mpixels},
+               {"prepared_mpixels", b.prepared_mpixels},
+               {"opencv_ratio", b.opencv_ratio},
+               {"error", b.error}});
+  } else {
+    Print(FormatTable(b));
+  }
+  return b.mpixels >= kSsimTargetMpixels ? ExitCode::kDone : ExitCode::kMissed;
+}
+
 }  // namespace
 
 void AddBenchCommand(CLI::App& app, CommandRun* run) {
@@ -82,6 +103,21 @@ void AddBenchCommand(CLI::App& app, CommandRun* run) {
       ->check(CLI::IsMember(formats));
   AddJsonOption(*command, &arguments->json);
   command->callback([arguments, run] { *run = [arguments] { return RunBenchWarp(*arguments); }; });
+
+  const auto ssim = std::make_shared<BenchSsimArguments>();
+  command = bench->add_subcommand(
+      "ssim", "Time the training's SSIM with gradient, on one thread; the result is checked first");
+  command->add_option("--width", ssim->width, "Pixels")
+      ->check(CLI::Range(64, 1 << 14))
+      ->capture_default_str();
+  command->add_option("--height", ssim->height, "Pixels")
+      ->check(CLI::Range(64, 1 << 14))
+      ->capture_default_str();
+  command->add_option("--repeats", ssim->repeats, "Timed runs")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  AddJsonOption(*command, &ssim->json);
+  command->callback([ssim, run] { *run = [ssim] { return RunBenchSsim(*ssim); }; });
 }
 
 }  // namespace warplut

@@ -33,7 +33,8 @@ struct EvalArguments {
   std::string lut;
   std::vector<std::string> images;
   std::vector<int> warps = {6, 12, 24, 64};
-  std::vector<std::string> offsets = {Name(Offsets::kHalf), Name(Offsets::kRandom)};
+  std::vector<std::string> offsets = {Name(Offsets::kHalf), Name(Offsets::kRandom),
+                                      Name(Offsets::kPan)};
   std::vector<std::string> against = {"bilinear", "catmull-rom", "keys:-0.58", kBestKeys};
   std::string lookup = Name(Lookup::kBilinear);
   std::string format = Name(TableFormat::kI16);
@@ -50,11 +51,13 @@ struct EvalArguments {
 std::vector<Protocol> Protocols(const EvalArguments& arguments) {
   std::vector<Protocol> protocols;
   for (const int warps : arguments.warps) {
-    for (const Offsets offsets : {Offsets::kHalf, Offsets::kRandom}) {
+    for (const Offsets offsets : {Offsets::kHalf, Offsets::kRandom, Offsets::kPan}) {
+      // A pan returns to the start after whole turns only.
+      if (offsets == Offsets::kPan && warps % kNodes != 0) continue;
       const auto& asked = arguments.offsets;
       if (std::find(asked.begin(), asked.end(), Name(offsets)) == asked.end()) continue;
       RequireUsage(
-          offsets == Offsets::kRandom || warps % 2 == 0,
+          offsets != Offsets::kHalf || warps % 2 == 0,
           fmt::format("--warps has {}; with half offsets only even numbers return to the start.",
                       warps));
       protocols.push_back({.warps = warps, .offsets = offsets});
@@ -202,9 +205,9 @@ void AddEvalCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   command
       ->add_option("--offsets", a.offsets,
-                   "half: by (1/2, 1/2) and back; random: any, back to the start")
+                   "half: by (1/2, 1/2) and back; random: any, back to the start; pan: one and the same")
       ->delimiter(',')
-      ->check(CLI::IsMember({Name(Offsets::kHalf), Name(Offsets::kRandom)}))
+      ->check(CLI::IsMember({Name(Offsets::kHalf), Name(Offsets::kRandom), Name(Offsets::kPan)}))
       ->capture_default_str();
   command
       ->add_option("--against", a.against,

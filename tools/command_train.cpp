@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <regex>
 
 #include "datasets/file.h"
+#include "luts/fit.h"
 #include "tools/command.h"
 #include "tools/image_set.h"
 #include "tools/interrupt.h"
@@ -98,7 +98,7 @@ ExitCode RunTrain(TrainArguments arguments) {
   std::string why;
   RequireUsage(options.IsValid(&why), why);
   RequireUsage(
-      std::regex_match(name, std::regex("[A-Za-z_][A-Za-z0-9_]*")),
+      IsIdentifier(name),
       fmt::format(
           "the fit's name is '{}'; expected letters, digits and _, the first not a digit (--name "
           "sets it).",

@@ -22,8 +22,7 @@ struct EvalReport {
   std::vector<std::string> missed;  // targets, one sentence each
 };
 
-// Rows: each filter's SSIM, the parameters of best-keys, and the judged filter's gain over each
-// other one.
+// Rows: each filter's SSIM, the parameters of best-keys, and the judged filter's gain over each other one.
 TextTable ScoreTable(const EvalReport& report);
 
 nlohmann::ordered_json ToJson(const EvalReport& report);

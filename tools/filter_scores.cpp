@@ -74,7 +74,8 @@ ScoreTarget ParseScoreTarget(const std::string& text) {
       .against = fields[0], .margin = number(fields[1]), .offsets = {}, .max_warps = 0};
   if (fields.size() > 2) {
     target.offsets = fields[2];
-    if (target.offsets != Name(Offsets::kHalf) && target.offsets != Name(Offsets::kRandom)) {
+    if (target.offsets != Name(Offsets::kHalf) && target.offsets != Name(Offsets::kRandom) &&
+        target.offsets != Name(Offsets::kPan)) {
       RefuseTarget(text);
     }
   }

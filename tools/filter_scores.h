@@ -8,8 +8,7 @@
 
 namespace warplut {
 
-// The name that stands for the Keys kernel whose parameter is the best for the very protocol and
-// images.
+// The name that stands for the Keys kernel whose parameter is the best for the very protocol and images.
 inline constexpr const char* kBestKeys = "best-keys";
 // Where that parameter is searched, and how closely.
 inline constexpr double kBestKeysLow = -1.0;
@@ -47,8 +46,7 @@ struct ScoreTarget {
 // Reads FILTER,MARGIN[,half|random[,MAX_WARPS]]. An Error names what was found.
 ScoreTarget ParseScoreTarget(const std::string& text);
 
-// Why `judged` misses the target: one sentence for each protocol where it does. An Error if
-// `others` lacks the filter.
+// Why `judged` misses the target: one sentence for each protocol where it does. An Error if `others` lacks the filter.
 std::vector<std::string> MissedProtocols(const ScoreTarget& target, const FilterScores& judged,
                                          const std::vector<FilterScores>& others,
                                          const std::vector<Protocol>& protocols);

@@ -1,5 +1,4 @@
-// Progress of long work on standard error: share done, rate, time left. Silent unless that is a
-// terminal.
+// Progress of long work on standard error: share done, rate, time left. Silent unless that is a terminal.
 #pragma once
 
 #include <chrono>
@@ -8,13 +7,13 @@
 
 namespace warplut {
 
-// The line for `done` of `total` units after `seconds`: "warping 12/40 frames  30 %  4.1 frames/s
-// 7 s left". With an empty unit only share and time are told; `note` comes last.
+// The line for `done` of `total` units after `seconds`:
+//   warping 12/40 frames  30 %  4.1 frames/s  7 s left
+// With an empty unit only share and time are told; `note` comes last.
 std::string ProgressLine(const std::string& label, double done, double total,
                          const std::string& unit, double seconds, const std::string& note);
 
-// Shows the line while work goes on, and clears it in the end. Update may be called from any
-// thread.
+// Shows the line while work goes on, and clears it in the end. Update may be called from any thread.
 class Progress {
  public:
   Progress(std::string label, double total, std::string unit);

@@ -8,8 +8,7 @@
 
 namespace warplut {
 
-// A filter that warps with the runtime's Warp in float, with these options (valid; a table outlives
-// the filter).
+// A filter that warps with the runtime's Warp in float, with these options (valid; a table outlives the filter).
 ProtocolFilter RuntimeFilter(const std::string& name, const WarpOptions& options);
 
 // A filter named on a command line: "bilinear", "catmull-rom" or "keys:A" with A in [-1, 0]. An

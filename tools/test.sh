@@ -77,7 +77,7 @@ run_tests ci
 if [ "$full" = yes ]; then
   configure_and_build runtime-only
   run_tests runtime-only
-  configure_and_build asan-ubsan test_luts test_runtime test_datasets
+  configure_and_build asan-ubsan test_luts test_runtime test_train test_datasets
   run_tests asan-ubsan --exclude-regex '_NOT_BUILT$'
 fi
 step "done"

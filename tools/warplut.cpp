@@ -1,5 +1,4 @@
-// The program `warplut`: parses the command line, runs one subcommand, turns every failure into one
-// sentence.
+// The program `warplut`: parses the command line, runs one subcommand, turns every failure into one sentence.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>

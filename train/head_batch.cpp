@@ -1,7 +1,5 @@
 #include "train/head_batch.h"
 
-#include "luts/head.h"
-
 namespace warplut {
 namespace {
 
@@ -23,6 +21,10 @@ HeadBatch::HeadBatch() : input_(2, kPoints) {
     input_(0, p) = 2 * NodeOffset(p % kSide) - 1;
     input_(1, p) = 2 * NodeOffset(p / kSide) - 1;
   }
+  for (int c = 0; c < kCanonicalNodes; ++c) {
+    const auto [i, j] = CanonicalPosition(c);
+    heads_.emplace_back(NodeOffset(i), NodeOffset(j));
+  }
 }
 
 const CanonicalWeights<double>& HeadBatch::Forward(const double* parameters) {
@@ -41,22 +43,12 @@ const CanonicalWeights<double>& HeadBatch::Forward(const double* parameters) {
   const Matrix& raw = activation_.back();
   for (int c = 0; c < kCanonicalNodes; ++c) {
     const auto [i, j] = CanonicalPosition(c);
-    const double dx = NodeOffset(i);
-    const double dy = NodeOffset(j);
-    const Weights<double> mask = Separable(HeadMask(dx), HeadMask(dy));
-    const Weights<double> base = KeysWeights(kCatmullRomA, dx, dy);
-    const Weights<double> spread = BilinearWeights(dx, dy);
-    Weights<double> residual{};
+    Weights<double> mean{};
     for (int g = 0; g < kSymmetries; ++g) {
       const int p = ImagePoint(g, i, j);
-      for (int k = 0; k < kWeights; ++k) residual[k] += raw(MapWeight(g, k), p);
+      for (int k = 0; k < kWeights; ++k) mean[k] += raw(MapWeight(g, k), p) / kSymmetries;
     }
-    double sum = 0;
-    for (int k = 0; k < kWeights; ++k) {
-      residual[k] *= mask[k] / kSymmetries;
-      sum += residual[k];
-    }
-    for (int k = 0; k < kWeights; ++k) weights_[c][k] = base[k] + residual[k] - sum * spread[k];
+    weights_[c] = heads_[c].Forward(mean);
   }
   return weights_;
 }
@@ -67,18 +59,10 @@ void HeadBatch::Backward(const double* parameters, const CanonicalWeights<double
   last.setZero(kWeights, kPoints);
   for (int c = 0; c < kCanonicalNodes; ++c) {
     const auto [i, j] = CanonicalPosition(c);
-    const double dx = NodeOffset(i);
-    const double dy = NodeOffset(j);
-    const Weights<double> mask = Separable(HeadMask(dx), HeadMask(dy));
-    const Weights<double> spread = BilinearWeights(dx, dy);
-    const Weights<double>& gradient = weight_gradient[c];
-    double along = 0;
-    for (int k = 0; k < kWeights; ++k) along += gradient[k] * spread[k];
+    const Weights<double> mean = heads_[c].Backward(weight_gradient[c]);
     for (int g = 0; g < kSymmetries; ++g) {
       const int p = ImagePoint(g, i, j);
-      for (int k = 0; k < kWeights; ++k) {
-        last(MapWeight(g, k), p) += (gradient[k] - along) * mask[k] / kSymmetries;
-      }
+      for (int k = 0; k < kWeights; ++k) last(MapWeight(g, k), p) += mean[k] / kSymmetries;
     }
   }
   for (int l = kMlpLayers - 1; l >= 0; --l) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "luts/mlp.h"
+#include "luts/head.h"
 #include "train/canonical_nodes.h"
 
 namespace warplut {
@@ -29,6 +29,7 @@ class HeadBatch {
   Matrix input_;                               // 2 x points; the points are the 33 x 33 nodes
   std::array<Matrix, kMlpLayers> activation_;  // output of each layer, one column per point
   std::array<Matrix, kMlpLayers> delta_;
+  std::vector<HeadAt<double>> heads_;  // at the canonical nodes
   CanonicalWeights<double> weights_{};
 };
 

@@ -21,7 +21,7 @@ inline constexpr int kDefaultAdamIterations = 100;
 
 // The work of one evaluation: crops times the longest horizon. More crops generalise better and
 // take longer.
-inline constexpr int kDefaultCropWarps = 48 * 64;
+inline constexpr int kDefaultCropWarps = 40 * 64;
 
 struct TrainOptions {
   double scale = 2;           // output / render, [1, 4]

@@ -1,5 +1,6 @@
 #include "train/trajectory.h"
 
+#include "luts/contract.h"
 #include "train/random.h"
 
 namespace warplut {
@@ -19,6 +20,8 @@ std::vector<Displacement> MakeTrajectory(Offsets offsets, std::span<const int> h
   std::vector<Displacement> trajectory;
   trajectory.reserve(horizons.back());
   Random random(seed);
+  const int pan_x = random.Below(kNodes) * (steps / kNodes);
+  const int pan_y = random.Below(kNodes) * (steps / kNodes);
   int sum_x = 0;  // in 1 / steps of a pixel
   int sum_y = 0;
   for (const int horizon : horizons) {
@@ -28,6 +31,9 @@ std::vector<Displacement> MakeTrajectory(Offsets offsets, std::span<const int> h
       int y = 0;
       if (offsets == Offsets::kHalf) {
         x = y = sum_x == 0 ? steps / 2 : -steps / 2;
+      } else if (offsets == Offsets::kPan) {
+        x = Step(pan_x, steps, sum_x);
+        y = Step(pan_y, steps, sum_y);
       } else if (last) {
         x = -sum_x;
         y = -sum_y;

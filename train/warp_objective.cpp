@@ -36,15 +36,17 @@ std::vector<Protocol> MakeProtocols(std::span<const int> horizons) {
   }
   int& longest_half = protocols[horizons.size() - 1].warps;
   longest_half = 2 * static_cast<int>(std::lround(kHalfReserve * longest_half / 2));
+  const double cycles = static_cast<double>(horizons.back()) / kNodes;
+  protocols.push_back({kNodes * std::max(1, static_cast<int>(std::lround(cycles))), Offsets::kPan});
   return protocols;
 }
 
-WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons,
+WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const std::vector<int>& horizons,
                              std::uint64_t seed, double power)
     : crops_(std::move(crops)),
-      random_horizons_(std::move(horizons)),
+      horizons_(horizons.size()),
       power_(power),
-      protocols_(MakeProtocols(random_horizons_)) {
+      protocols_(MakeProtocols(horizons)) {
   AddRollouts(seed);
   baselines_ = FindBaselines();
 }
@@ -52,7 +54,7 @@ WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> 
 WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const WarpObjective& like,
                              std::uint64_t seed, double power)
     : crops_(std::move(crops)),
-      random_horizons_(like.random_horizons_),
+      horizons_(like.horizons_),
       power_(power),
       protocols_(like.protocols_),
       baselines_(like.baselines_) {
@@ -63,46 +65,61 @@ WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const WarpObjecti
   for (std::size_t i = 0; i < baselines_.size(); ++i) baselines_[i] *= here[i] / there[i];
 }
 
+WarpObjective::Trajectory WarpObjective::MakeRolloutTrajectory(int first, int count,
+                                                               std::uint64_t seed) const {
+  Trajectory trajectory;
+  trajectory.first = first;
+  for (int i = first; i < first + count; ++i) trajectory.horizons.push_back(protocols_[i].warps);
+  trajectory.steps =
+      ToSteps(MakeTrajectory(protocols_[first].offsets, trajectory.horizons, kNodes, seed));
+  return trajectory;
+}
+
 void WarpObjective::AddRollouts(std::uint64_t seed) {
-  for (const BorderedPlane& crop : crops_) ssim_.emplace_back(InnerView(crop));
-  const int longest = random_horizons_.back();
-  const int half_protocols = static_cast<int>(random_horizons_.size());
-  for (int h = 0; h < half_protocols; ++h) half_horizons_.push_back(protocols_[h].warps);
-  const auto half = ToSteps(MakeTrajectory(Offsets::kHalf, half_horizons_, kNodes, 0));
-  rollouts_per_protocol_.assign(protocols_.size(), 0);
-  std::uint64_t trajectory = 0;
+  const int count = static_cast<int>(horizons_);
+  const int pan = static_cast<int>(protocols_.size()) - 1;
+  const int longest = protocols_[2 * count - 1].warps;
+  std::uint64_t drawn = 0;
   for (int c = 0; c < static_cast<int>(crops_.size()); ++c) {
-    rollouts_.push_back({c, half, half_horizons_, 0});
-    for (int h = 0; h < half_protocols; ++h) {
-      ++rollouts_per_protocol_[h];
-      const std::span<const int> horizon(&random_horizons_[h], 1);
-      for (int warps = 0; warps < longest; warps += horizon[0]) {
-        const std::uint64_t trajectory_seed = DeriveSeed(seed, trajectory++);
-        rollouts_.push_back(
-            {c, ToSteps(MakeTrajectory(Offsets::kRandom, horizon, kNodes, trajectory_seed)),
-             horizon, half_protocols + h});
-        ++rollouts_per_protocol_[half_protocols + h];
+    ssim_.emplace_back(InnerView(crops_[c]));
+    rollouts_.push_back({c, MakeRolloutTrajectory(0, count, 0)});
+    for (int p = count; p < pan; ++p) {
+      for (int warps = 0; warps < longest; warps += protocols_[p].warps) {
+        rollouts_.push_back({c, MakeRolloutTrajectory(p, 1, DeriveSeed(seed, drawn++))});
       }
+    }
+    for (int i = 0; i < kPansPerCrop; ++i) {
+      rollouts_.push_back({c, MakeRolloutTrajectory(pan, 1, DeriveSeed(seed, drawn++))});
+    }
+  }
+  rollouts_per_protocol_.assign(protocols_.size(), 0);
+  for (const Rollout& rollout : rollouts_) {
+    for (std::size_t h = 0; h < rollout.trajectory.horizons.size(); ++h) {
+      ++rollouts_per_protocol_[rollout.trajectory.first + h];
     }
   }
 }
 
+RolloutWorkspace WarpObjective::MakeWorkspace() const {
+  int longest = 0;
+  for (const Protocol& protocol : protocols_) longest = std::max(longest, protocol.warps);
+  return {crops_[0].width(), crops_[0].height(), longest};
+}
+
 std::vector<double> WarpObjective::Losses(const CanonicalWeights<double>& weights) const {
-  const std::size_t n = random_horizons_.size();
-  std::vector<double> losses(rollouts_.size() * n);
-  Workspaces workspaces(
-      RolloutWorkspace(crops_[0].width(), crops_[0].height(), half_horizons_.back()));
+  std::vector<double> losses(rollouts_.size() * horizons_);
+  Workspaces workspaces([this] { return MakeWorkspace(); });
   tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
-    const Rollout& rollout = rollouts_[r];
-    workspaces.local().Forward(crops_[rollout.crop], ssim_[rollout.crop], rollout.steps,
-                               rollout.horizons, weights,
-                               std::span(losses).subspan(r * n, rollout.horizons.size()));
+    const auto& [crop, trajectory] = rollouts_[r];
+    workspaces.local().Forward(
+        crops_[crop], ssim_[crop], trajectory.steps, trajectory.horizons, weights,
+        std::span(losses).subspan(r * horizons_, trajectory.horizons.size()));
   });
   std::vector<double> means(protocols_.size(), 0.0);
   for (std::size_t r = 0; r < rollouts_.size(); ++r) {
-    const Rollout& rollout = rollouts_[r];
-    for (std::size_t h = 0; h < rollout.horizons.size(); ++h) {
-      means[rollout.first_protocol + h] += losses[r * n + h];
+    const Trajectory& trajectory = rollouts_[r].trajectory;
+    for (std::size_t h = 0; h < trajectory.horizons.size(); ++h) {
+      means[trajectory.first + h] += losses[r * horizons_ + h];
     }
   }
   for (std::size_t i = 0; i < means.size(); ++i) means[i] /= rollouts_per_protocol_[i];
@@ -110,32 +127,37 @@ std::vector<double> WarpObjective::Losses(const CanonicalWeights<double>& weight
 }
 
 std::vector<double> WarpObjective::FindBaselines() const {
-  const std::size_t n = random_horizons_.size();
+  const std::size_t n = horizons_;
   std::vector<double> least(protocols_.size(), std::numeric_limits<double>::infinity());
-  std::vector<double> durable;
+  std::vector<double> baselines;
   for (int i = 0; i < KeysCount(); ++i) {
     const std::vector<double> losses = Losses(KeysCanonicalWeights(KeysAt(i)));
-    if (losses[n - 1] < least[n - 1]) durable = losses;
+    if (losses[n - 1] < least[n - 1]) baselines = losses;
     for (std::size_t p = 0; p < losses.size(); ++p) least[p] = std::min(least[p], losses[p]);
   }
-  std::vector<double> baselines = durable;
   std::copy_n(least.begin() + n, n - 1, baselines.begin() + n);
   return baselines;
 }
 
 double WarpObjective::Combine(std::span<const double> losses, std::span<double> factors) const {
-  const std::size_t n = random_horizons_.size();
+  struct Kind {
+    std::size_t first, count;
+    double share;
+  };
+  const Kind kinds[] = {{0, horizons_, (1 - kPanShare) / 2},
+                        {horizons_, horizons_, (1 - kPanShare) / 2},
+                        {2 * horizons_, 1, kPanShare}};
   double total = 0;
-  for (const std::size_t first : {std::size_t{0}, n}) {
+  for (const auto& [first, count, share] : kinds) {
     double mean = 0;
-    for (std::size_t i = first; i < first + n; ++i) {
-      mean += std::pow(losses[i] / baselines_[i], power_) / static_cast<double>(n);
+    for (std::size_t i = first; i < first + count; ++i) {
+      mean += std::pow(losses[i] / baselines_[i], power_) / static_cast<double>(count);
     }
     const double power_mean = std::pow(mean, 1 / power_);
-    total += power_mean / 2;
-    for (std::size_t i = first; i < first + n; ++i) {
-      factors[i] = std::pow(losses[i] / baselines_[i] / power_mean, power_ - 1) /
-                   (2 * static_cast<double>(n) * baselines_[i]);
+    total += share * power_mean;
+    for (std::size_t i = first; i < first + count; ++i) {
+      factors[i] = share * std::pow(losses[i] / baselines_[i] / power_mean, power_ - 1) /
+                   (static_cast<double>(count) * baselines_[i]);
     }
   }
   return total;
@@ -149,19 +171,16 @@ double WarpObjective::Evaluate(const CanonicalWeights<double>& weights,
   for (std::size_t i = 0; i < factors.size(); ++i) factors[i] /= rollouts_per_protocol_[i];
 
   std::vector<CanonicalWeights<double>> gradients(rollouts_.size());
-  Workspaces workspaces(
-      RolloutWorkspace(crops_[0].width(), crops_[0].height(), half_horizons_.back()));
+  Workspaces workspaces([this] { return MakeWorkspace(); });
   tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
-    const Rollout& rollout = rollouts_[r];
-    const BorderedPlane& image = crops_[rollout.crop];
-    const std::size_t count = rollout.horizons.size();
+    const auto& [crop, trajectory] = rollouts_[r];
+    const std::size_t count = trajectory.horizons.size();
     RolloutWorkspace& workspace = workspaces.local();
-    const Ssim& ssim = ssim_[rollout.crop];
     std::vector<double> losses(count);
-    workspace.Forward(image, ssim, rollout.steps, rollout.horizons, weights, losses);
-    workspace.Backward(image, ssim, rollout.steps, rollout.horizons,
-                       std::span(factors).subspan(rollout.first_protocol, count), weights,
-                       gradients[r]);
+    workspace.Forward(crops_[crop], ssim_[crop], trajectory.steps, trajectory.horizons, weights,
+                      losses);
+    workspace.Backward(crops_[crop], ssim_[crop], trajectory.steps, trajectory.horizons,
+                       std::span(factors).subspan(trajectory.first, count), weights, gradients[r]);
   });
   *gradient = {};
   for (const CanonicalWeights<double>& part : gradients) {

@@ -1,14 +1,14 @@
 // Objective `warp`: how much of an image repeated warps lose, compared with the best that a Keys kernel does.
 //
-// A protocol i is a kind of offsets (half, random) and a number of warps N; l_i(w) is the mean of 1 - SSIM after N warps
-// with the weights w, over crops and trajectories. With a baseline b_i for each protocol,
+// A protocol i is a kind of offsets (half, random, pan) and a number of warps N; l_i(w) is the mean of 1 - SSIM after N
+// warps with the weights w, over crops and trajectories. With a baseline b_i for each protocol,
 //
-//   L(w) = ( M(half protocols) + M(random protocols) ) / 2,   M = ( mean of (l_i / b_i)^p )^(1/p)
+//   L(w) = q M(pan) + (1 - q) ( M(half) + M(random) ) / 2,   M(protocols of one kind) = ( mean of (l_i / b_i)^p )^(1/p)
 //
 // The larger p, the more the protocol counts in which w does worst against the baseline, so that no horizon is bought
 // with another; L < 1 means better than the baselines. They are, on the same crops and trajectories: for random offsets
-// the best Keys kernel for that very protocol; for half-pixel warps, and for the longest random horizon, the Keys kernel
-// that is best for the longest half-pixel horizon, since one half-pixel node must serve all of them.
+// the best Keys kernel for that very protocol; for the others, and for the longest random horizon, the Keys kernel that is
+// best for the longest half-pixel horizon, since one half-pixel node must serve all of them.
 // Source of the loss: Mob-FGSR supplement, section 5; protocols, baselines and the power mean are ours.
 #pragma once
 
@@ -28,15 +28,21 @@ inline constexpr double kProtocolPower = 64;
 // training keeps some distance.
 inline constexpr double kHalfReserve = 1.25;
 
-// The half-pixel protocols of these horizons, the longest of which is kHalfReserve times longer, then the random ones.
+// The half-pixel protocols of these horizons, the longest of which is kHalfReserve times longer; then the random ones;
+// then one pan, of the multiple of kNodes warps that is nearest to the longest horizon.
 std::vector<Protocol> MakeProtocols(std::span<const int> horizons);
+
+inline constexpr int kPansPerCrop = 2;
+
+// q: enough that a pan does not drift, little enough that random offsets keep most of their gain.
+inline constexpr double kPanShare = 0.1;
 
 class WarpObjective {
  public:
-  // Each crop is rolled out along the half-pixel trajectory, and for each random protocol along so many trajectories of
-  // its own that every protocol warps about equally often. Horizons even, ascending. Baselines as above.
-  WarpObjective(std::vector<BorderedPlane> crops, std::vector<int> horizons, std::uint64_t seed,
-                double power = kProtocolPower);
+  // Each crop is rolled out along the half-pixel trajectory, along kPansPerCrop pans, and for each random protocol along
+  // so many trajectories of its own that every one warps about equally often. Horizons even, ascending. Baselines as above.
+  WarpObjective(std::vector<BorderedPlane> crops, const std::vector<int>& horizons,
+                std::uint64_t seed, double power = kProtocolPower);
 
   // With the baselines of `like`, of the same horizons, scaled protocol by protocol by what Catmull-Rom loses on these
   // crops over what it loses on those: no Keys kernels are searched.
@@ -55,15 +61,20 @@ class WarpObjective {
   const std::vector<double>& baselines() const { return baselines_; }
 
  private:
-  // Judged at `horizons`, which are those of the protocols from `first_protocol` on.
+  // A trajectory and the horizons at which it is judged: those of the protocols from `first` on.
+  struct Trajectory {
+    std::vector<RolloutStep> steps;
+    std::vector<int> horizons;
+    int first = 0;
+  };
   struct Rollout {
     int crop = 0;
-    std::vector<RolloutStep> steps;
-    std::span<const int> horizons;
-    int first_protocol = 0;
+    Trajectory trajectory;
   };
 
+  Trajectory MakeRolloutTrajectory(int first, int count, std::uint64_t seed) const;
   void AddRollouts(std::uint64_t seed);
+  RolloutWorkspace MakeWorkspace() const;
   std::vector<double> FindBaselines() const;
 
   // L; factors[i] = dL/dl_i.
@@ -71,7 +82,7 @@ class WarpObjective {
 
   std::vector<BorderedPlane> crops_;
   std::vector<Ssim> ssim_;  // of the crops
-  std::vector<int> half_horizons_, random_horizons_;
+  std::size_t horizons_;    // of the half-pixel and of the random protocols, each
   double power_;
   std::vector<Protocol> protocols_;
   std::vector<Rollout> rollouts_;

@@ -1,7 +1,6 @@
 // Triangle meshes and the builders that the scenes are made from.
 //
-// Texture coordinates are metres on the surface, so that a footprint in metres is one in texture
-// space.
+// Texture coordinates are metres on the surface, so that a footprint in metres is one in texture space.
 #pragma once
 
 #include <array>

@@ -31,8 +31,7 @@ Rgb Ambient(const Light& light, const Vec3f& normal);
 // Radiance after `distance` metres of haze.
 Rgb Haze(const Light& light, const Rgb& radiance, float distance);
 
-// Linear scene light to display values in [0, 1]: the ACES fit of K. Narkowicz (2015), then the
-// sRGB curve.
+// Linear scene light to display values in [0, 1]: the ACES fit of K. Narkowicz (2015), then the sRGB curve.
 Rgb DisplayCurve(const Rgb& radiance);
 
 }  // namespace warplut::scenes

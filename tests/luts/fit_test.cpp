@@ -170,5 +170,11 @@ TEST_F(FitTest, WritingRefusesTextThatIsNotUtf8) {
   EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
+TEST(IsIdentifier, TakesLettersDigitsAndUnderscoresThatBeginWithNoDigit) {
+  for (const char* text : {"a", "_", "warplut_x1_3", "Z9"}) EXPECT_TRUE(IsIdentifier(text)) << text;
+  for (const char* text : {"", "1x", "a-b", "a b", "a.b", "\xc3\xa9"})
+    EXPECT_FALSE(IsIdentifier(text)) << text;
+}
+
 }  // namespace
 }  // namespace warplut

@@ -45,6 +45,25 @@ TEST(Trajectory, HalfIsHalfEveryTime) {
   }
 }
 
+TEST(Trajectory, PanRepeatsOneFractionAndReturns) {
+  const std::array<int, 1> horizon = {2 * kNodes};
+  for (const int steps : {kNodes, 1 << 16}) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const auto trajectory = MakeTrajectory(Offsets::kPan, horizon, steps, seed);
+      double x = 0, y = 0;
+      for (const Displacement& v : trajectory) {
+        x += v.x;
+        y += v.y;
+        EXPECT_EQ(v.x - std::floor(v.x), trajectory[0].x - std::floor(trajectory[0].x));
+        EXPECT_EQ(v.y - std::floor(v.y), trajectory[0].y - std::floor(trajectory[0].y));
+        EXPECT_LT(std::abs(v.x), 1);
+      }
+      EXPECT_EQ(x, 0);
+      EXPECT_EQ(y, 0);
+    }
+  }
+}
+
 TEST(Trajectory, RandomFractionsCoverTheUnitSquareEvenly) {
   std::array<int, 4> quarter{};
   int total = 0;

@@ -14,12 +14,16 @@ WarpObjective Make() {
   return {std::move(crops), {2, 6, 8}, 5, 8};
 }
 
-TEST(WarpObjective, ProtocolsAreHalfThenRandom) {
+TEST(WarpObjective, ProtocolsAreHalfThenRandomThenPan) {
   const WarpObjective objective = Make();
-  ASSERT_EQ(objective.protocols().size(), 6u);
+  ASSERT_EQ(objective.protocols().size(), 7u);
+  EXPECT_EQ(objective.protocols()[2].warps, 10);  // a quarter longer than asked
   EXPECT_EQ(objective.protocols()[1].warps, 6);
   EXPECT_EQ(objective.protocols()[1].offsets, Offsets::kHalf);
   EXPECT_EQ(objective.protocols()[5].offsets, Offsets::kRandom);
+  EXPECT_EQ(objective.protocols()[5].warps, 8);
+  EXPECT_EQ(objective.protocols()[6].offsets, Offsets::kPan);
+  EXPECT_EQ(objective.protocols()[6].warps, kNodes);
 }
 
 TEST(WarpObjective, LossesGrowWithTheWarpsAndFromBilinearToKeys) {
@@ -28,7 +32,7 @@ TEST(WarpObjective, LossesGrowWithTheWarpsAndFromBilinearToKeys) {
   const auto keys = objective.Losses(KeysCanonicalWeights(-0.5));
   for (std::size_t i = 0; i < soft.size(); ++i) {
     EXPECT_LT(keys[i], soft[i]);
-    if (i % 3 != 0) {
+    if (i % 3 != 0 && i < 6) {
       EXPECT_LT(keys[i - 1], keys[i]);
     }
   }

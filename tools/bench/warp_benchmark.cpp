@@ -89,8 +89,7 @@ void FillMotion(const std::string& kind, Motion& motion) {
   }
 }
 
-// A table of Catmull-Rom weights in i16 with exact row sums: the time does not depend on the
-// weights.
+// A table of Catmull-Rom weights in i16 with exact row sums: the time does not depend on the weights.
 std::vector<std::int16_t> MakeTable() {
   std::vector<std::int16_t> table(kTableValues);
   const double one = 1 << FractionBits(TableFormat::kI16);
