@@ -165,6 +165,10 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   command->add_option("--gain-bound", options.gain_bound,
                       "Largest gain of any node (default: by horizons)");
+  command
+      ->add_option("--pan-share", options.pan_share,
+                   "Share of constant motion in the objective, in [0, 1)")
+      ->capture_default_str();
   command->add_option("--crops", options.crops,
                       "Number of crops to train on (default: the trainer's)");
   command->add_option("--stages", options.stages, "Of the training")->capture_default_str();

@@ -1,18 +1,21 @@
 #!/bin/sh
 # Trains and bakes the tables that ship: luts/fits and luts/baked, one for each upscale factor, on the training scenes.
-# usage: tools/train_assets.sh [FOLDER]
+# usage: tools/train_assets.sh [FOLDER [SCALE...]]
 #   FOLDER   where the training images are rendered, or were before (default: out/assets)
+#   SCALE    which factors (default: all)
 # Needs the release build (tools/quickstart.sh makes it). Without time limits, so that the fits do not depend on the
 # machine's speed.
 set -eu
 cd "$(dirname "$0")/.."
 out=${1:-out/assets}
-warplut=build/release/tools/warplut
+if [ $# -gt 0 ]; then shift; fi
+if [ $# -eq 0 ]; then set -- 1.3 1.5 1.7 2 3 4; fi
+warplut=${WARPLUT:-build/release/tools/warplut}
 
 mkdir -p "$out" luts/fits luts/baked
 "$warplut" dataset render training --out "$out/training" --width 960 --height 540 --frames 3 --samples 16 \
   --streams color,reference > "$out/render.log"
-for scale in 1.3 1.5 1.7 2 3 4; do
+for scale in "$@"; do
   name=warplut_x$(echo "$scale" | tr . _)
   echo "-- $name"
   "$warplut" train --scale "$scale" --data "$out"/training/* --out "luts/fits/$name.json"

@@ -46,6 +46,9 @@ bool TrainOptions::IsValid(std::string* why) const {
   if (gain_bound != 0 && !(gain_bound >= 1 && gain_bound <= 2)) {
     return Refuse(why, fmt::format("gain_bound is {}; expected a number in [1, 2].", gain_bound));
   }
+  if (!(pan_share >= 0 && pan_share < 1)) {
+    return Refuse(why, fmt::format("pan_share is {}; expected a number in [0, 1).", pan_share));
+  }
   if (crops < 0) return Refuse(why, fmt::format("crops is {}; expected 0 or more.", crops));
   if (resume && checkpoint.empty()) {
     return Refuse(why, "resume is set without a checkpoint; expected the path of one.");
@@ -74,6 +77,7 @@ std::string TrainOptions::Json() const {
                                        {"stages", stages},
                                        {"iterations", iterations},
                                        {"gain_bound", gain_bound},
+                                       {"pan_share", pan_share},
                                        {"crops", crops},
                                        {"max_seconds", max_seconds}};
   return json.dump();

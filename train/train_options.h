@@ -21,7 +21,7 @@ inline constexpr int kDefaultAdamIterations = 100;
 
 // The work of one evaluation: crops times the longest horizon. More crops generalise better and
 // take longer.
-inline constexpr int kDefaultCropWarps = 40 * 64;
+inline constexpr int kDefaultCropWarps = 48 * 64;
 
 struct TrainOptions {
   double scale = 2;           // output / render, [1, 4]
@@ -31,8 +31,10 @@ struct TrainOptions {
   int threads = 0;         // 0: all
   double max_seconds = 0;  // 0: no limit; with one the result depends on the machine's speed
   int stages = kDefaultStages;
-  int iterations = 0;                // per stage; 0: the optimizer's default
-  double gain_bound = 0;             // largest |H| of any node and frequency; 0: DefaultGainBound
+  int iterations = 0;     // per stage; 0: the optimizer's default
+  double gain_bound = 0;  // largest |H| of any node and frequency; 0: DefaultGainBound
+  double pan_share =
+      0;  // of pans in the objective, [0, 1): more keeps pans from drifting, see docs/TRAINING.md
   int crops = 0;                     // 0: kDefaultCropWarps / longest horizon, at least 16
   std::filesystem::path checkpoint;  // empty: none; written after each stage, removed at the end
   bool resume = false;               // from `checkpoint`

@@ -45,6 +45,10 @@ std::vector<Image> CheckedLuma(const std::vector<TrainImage>& images) {
   return luma;
 }
 
+// Pans per crop: in the training only where they count, in the validation always.
+constexpr int kTrainingPans = 2;
+constexpr int kValidationPans = 4;
+
 // How a stage differs from the last one: fewer crops, and a smoother objective.
 struct Stage {
   int crops = 0;
@@ -68,7 +72,8 @@ class Training {
         luma_(CheckedLuma(images)),
         penalty_(options_.gain_bound),
         validation_(DrawCrops(luma_, options_.crops / 3 + 1, Seed(options_, SeedFor::kValidation)),
-                    options_.horizons, Seed(options_, SeedFor::kValidation, 1)) {
+                    options_.horizons, Seed(options_, SeedFor::kValidation, 1),
+                    {kProtocolPower, options_.pan_share, kValidationPans}) {
     std::string identity = options_.Json();
     for (const TrainImage& image : images) identity += image.record.sha1;
     state_.made_for = Sha1(identity);
@@ -121,7 +126,8 @@ bool Training::RunStage() {
   const Stage stage = MakeStage(options_, state_.stage);
   const WarpObjective warp(
       DrawCrops(luma_, stage.crops, Seed(options_, SeedFor::kStages, 2 * state_.stage)),
-      validation_, Seed(options_, SeedFor::kStages, 2 * state_.stage + 1), stage.power);
+      validation_, Seed(options_, SeedFor::kStages, 2 * state_.stage + 1),
+      {stage.power, options_.pan_share, options_.pan_share > 0 ? kTrainingPans : 0});
   MlpObjective objective(warp, options_.gain_bound, stage.penalty_factor);
   std::vector<double> parameters = state_.parameters;
   AdamState adam = state_.adam;

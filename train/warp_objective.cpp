@@ -29,35 +29,38 @@ CanonicalWeights<double> KeysCanonicalWeights(double a) {
   return weights;
 }
 
-std::vector<Protocol> MakeProtocols(std::span<const int> horizons) {
+std::vector<Protocol> MakeProtocols(std::span<const int> horizons, bool with_pan) {
   std::vector<Protocol> protocols;
   for (const Offsets offsets : {Offsets::kHalf, Offsets::kRandom}) {
     for (const int warps : horizons) protocols.push_back({warps, offsets});
   }
   int& longest_half = protocols[horizons.size() - 1].warps;
   longest_half = 2 * static_cast<int>(std::lround(kHalfReserve * longest_half / 2));
+  if (!with_pan) return protocols;
   const double cycles = static_cast<double>(horizons.back()) / kNodes;
   protocols.push_back({kNodes * std::max(1, static_cast<int>(std::lround(cycles))), Offsets::kPan});
   return protocols;
 }
 
 WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const std::vector<int>& horizons,
-                             std::uint64_t seed, double power)
+                             std::uint64_t seed, const WarpObjectiveOptions& options)
     : crops_(std::move(crops)),
       horizons_(horizons.size()),
-      power_(power),
-      protocols_(MakeProtocols(horizons)) {
+      options_(options),
+      protocols_(MakeProtocols(horizons, options.pans_per_crop > 0)) {
   AddRollouts(seed);
   baselines_ = FindBaselines();
 }
 
 WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const WarpObjective& like,
-                             std::uint64_t seed, double power)
+                             std::uint64_t seed, const WarpObjectiveOptions& options)
     : crops_(std::move(crops)),
       horizons_(like.horizons_),
-      power_(power),
+      options_(options),
       protocols_(like.protocols_),
       baselines_(like.baselines_) {
+  if (options_.pans_per_crop == 0) protocols_.resize(2 * horizons_);
+  baselines_.resize(protocols_.size());
   AddRollouts(seed);
   const CanonicalWeights<double> catmull_rom = KeysCanonicalWeights(kCatmullRomA);
   const std::vector<double> here = Losses(catmull_rom);
@@ -77,7 +80,7 @@ WarpObjective::Trajectory WarpObjective::MakeRolloutTrajectory(int first, int co
 
 void WarpObjective::AddRollouts(std::uint64_t seed) {
   const int count = static_cast<int>(horizons_);
-  const int pan = static_cast<int>(protocols_.size()) - 1;
+  const int pan = 2 * count;
   const int longest = protocols_[2 * count - 1].warps;
   std::uint64_t drawn = 0;
   for (int c = 0; c < static_cast<int>(crops_.size()); ++c) {
@@ -88,7 +91,7 @@ void WarpObjective::AddRollouts(std::uint64_t seed) {
         rollouts_.push_back({c, MakeRolloutTrajectory(p, 1, DeriveSeed(seed, drawn++))});
       }
     }
-    for (int i = 0; i < kPansPerCrop; ++i) {
+    for (int i = 0; i < options_.pans_per_crop; ++i) {
       rollouts_.push_back({c, MakeRolloutTrajectory(pan, 1, DeriveSeed(seed, drawn++))});
     }
   }
@@ -144,19 +147,21 @@ double WarpObjective::Combine(std::span<const double> losses, std::span<double> 
     std::size_t first, count;
     double share;
   };
-  const Kind kinds[] = {{0, horizons_, (1 - kPanShare) / 2},
-                        {horizons_, horizons_, (1 - kPanShare) / 2},
-                        {2 * horizons_, 1, kPanShare}};
+  const double rest = 1 - options_.pan_share;
+  const Kind kinds[] = {{0, horizons_, rest * kHalfShare},
+                        {horizons_, horizons_, rest * (1 - kHalfShare)},
+                        {2 * horizons_, protocols_.size() - 2 * horizons_, options_.pan_share}};
   double total = 0;
   for (const auto& [first, count, share] : kinds) {
+    if (count == 0) continue;
     double mean = 0;
     for (std::size_t i = first; i < first + count; ++i) {
-      mean += std::pow(losses[i] / baselines_[i], power_) / static_cast<double>(count);
+      mean += std::pow(losses[i] / baselines_[i], options_.power) / static_cast<double>(count);
     }
-    const double power_mean = std::pow(mean, 1 / power_);
+    const double power_mean = std::pow(mean, 1 / options_.power);
     total += share * power_mean;
     for (std::size_t i = first; i < first + count; ++i) {
-      factors[i] = share * std::pow(losses[i] / baselines_[i] / power_mean, power_ - 1) /
+      factors[i] = share * std::pow(losses[i] / baselines_[i] / power_mean, options_.power - 1) /
                    (static_cast<double>(count) * baselines_[i]);
     }
   }

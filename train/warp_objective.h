@@ -3,7 +3,7 @@
 // A protocol i is a kind of offsets (half, random, pan) and a number of warps N; l_i(w) is the mean of 1 - SSIM after N
 // warps with the weights w, over crops and trajectories. With a baseline b_i for each protocol,
 //
-//   L(w) = q M(pan) + (1 - q) ( M(half) + M(random) ) / 2,   M(protocols of one kind) = ( mean of (l_i / b_i)^p )^(1/p)
+//   L(w) = q M(pan) + (1 - q) ( h M(half) + (1 - h) M(random) ),   M(protocols of one kind) = ( mean of (l_i / b_i)^p )^(1/p)
 //
 // The larger p, the more the protocol counts in which w does worst against the baseline, so that no horizon is bought
 // with another; L < 1 means better than the baselines. They are, on the same crops and trajectories: for random offsets
@@ -26,28 +26,32 @@ inline constexpr double kProtocolPower = 64;
 // The longest half-pixel horizon over the longest horizon. All half-pixel warps use one node, and its best weights for a
 // long horizon stand close to the limit beyond which an image rings; where the limit is depends on the content, so the
 // training keeps some distance.
-inline constexpr double kHalfReserve = 1.25;
+inline constexpr double kHalfReserve = 2;
 
 // The half-pixel protocols of these horizons, the longest of which is kHalfReserve times longer; then the random ones;
-// then one pan, of the multiple of kNodes warps that is nearest to the longest horizon.
-std::vector<Protocol> MakeProtocols(std::span<const int> horizons);
+// then, where asked for, one pan, of the multiple of kNodes warps that is nearest to the longest horizon.
+std::vector<Protocol> MakeProtocols(std::span<const int> horizons, bool with_pan);
 
-inline constexpr int kPansPerCrop = 2;
+// h: most of the weight, since a single node serves all half-pixel warps and the MLP is slow to set it apart.
+inline constexpr double kHalfShare = 0.75;
 
-// q: enough that a pan does not drift, little enough that random offsets keep most of their gain.
-inline constexpr double kPanShare = 0.1;
+struct WarpObjectiveOptions {
+  double power = kProtocolPower;  // p
+  double pan_share = 0;           // q, in [0, 1]
+  int pans_per_crop = 0;          // 0: no pan among the protocols, then pan_share is 0
+};
 
 class WarpObjective {
  public:
-  // Each crop is rolled out along the half-pixel trajectory, along kPansPerCrop pans, and for each random protocol along
+  // Each crop is rolled out along the half-pixel trajectory, along pans, and for each random protocol along
   // so many trajectories of its own that every one warps about equally often. Horizons even, ascending. Baselines as above.
   WarpObjective(std::vector<BorderedPlane> crops, const std::vector<int>& horizons,
-                std::uint64_t seed, double power = kProtocolPower);
+                std::uint64_t seed, const WarpObjectiveOptions& options = {});
 
-  // With the baselines of `like`, of the same horizons, scaled protocol by protocol by what Catmull-Rom loses on these
+  // With the baselines of `like`, which has the same horizons and a pan if this has, scaled protocol by protocol by what Catmull-Rom loses on these
   // crops over what it loses on those: no Keys kernels are searched.
   WarpObjective(std::vector<BorderedPlane> crops, const WarpObjective& like, std::uint64_t seed,
-                double power);
+                const WarpObjectiveOptions& options);
 
   // L(weights); with `gradient`, also writes dL/d(weights). Rollouts run in parallel and are added
   // in a fixed order: the same bits for any number of threads.
@@ -83,7 +87,7 @@ class WarpObjective {
   std::vector<BorderedPlane> crops_;
   std::vector<Ssim> ssim_;  // of the crops
   std::size_t horizons_;    // of the half-pixel and of the random protocols, each
-  double power_;
+  WarpObjectiveOptions options_;
   std::vector<Protocol> protocols_;
   std::vector<Rollout> rollouts_;
   std::vector<double> rollouts_per_protocol_;

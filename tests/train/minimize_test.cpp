@@ -15,7 +15,7 @@ class Minimize : public testing::Test {
     for (std::uint64_t i = 0; i < 2; ++i) crops.push_back(ToPlane(NoiseImage(64, 64, 20 + i)));
     return crops;
   }
-  WarpObjective warp_{Crops(), {2, 4}, 5, 8};
+  WarpObjective warp_{Crops(), {2, 4}, 5, {.power = 8}};
   MlpObjective objective_{warp_, 1.02, kGainPenaltyFactor};
   std::vector<double> parameters_ = RandomParameters(1);
   const MinimizeCallback go_on_ = [](const double*, double) { return true; };

@@ -56,6 +56,7 @@ TEST(TrainOptions, EachBadValueIsNamed) {
       {"stages", [](TrainOptions& o) { o.stages = 0; }},
       {"iterations", [](TrainOptions& o) { o.iterations = -2; }},
       {"gain_bound", [](TrainOptions& o) { o.gain_bound = 0.5; }},
+      {"pan_share", [](TrainOptions& o) { o.pan_share = 1; }},
       {"crops", [](TrainOptions& o) { o.crops = -1; }},
       {"checkpoint", [](TrainOptions& o) { o.resume = true; }},
   };

@@ -11,13 +11,13 @@ namespace {
 WarpObjective Make() {
   std::vector<BorderedPlane> crops;
   for (std::uint64_t i = 0; i < 3; ++i) crops.push_back(ToPlane(NoiseImage(64, 64, i)));
-  return {std::move(crops), {2, 6, 8}, 5, 8};
+  return {std::move(crops), {2, 6, 8}, 5, {8, 0.2, 1}};
 }
 
 TEST(WarpObjective, ProtocolsAreHalfThenRandomThenPan) {
   const WarpObjective objective = Make();
   ASSERT_EQ(objective.protocols().size(), 7u);
-  EXPECT_EQ(objective.protocols()[2].warps, 10);  // a quarter longer than asked
+  EXPECT_EQ(objective.protocols()[2].warps, 16);  // twice as long as asked
   EXPECT_EQ(objective.protocols()[1].warps, 6);
   EXPECT_EQ(objective.protocols()[1].offsets, Offsets::kHalf);
   EXPECT_EQ(objective.protocols()[5].offsets, Offsets::kRandom);
@@ -41,7 +41,8 @@ TEST(WarpObjective, LossesGrowWithTheWarpsAndFromBilinearToKeys) {
 TEST(WarpObjective, NoKeysKernelBeatsEveryBaselineAndOneReachesThem) {
   const WarpObjective objective = Make();
   const double best = objective.Evaluate(KeysCanonicalWeights(FitKeys(objective)));
-  EXPECT_GE(best, 1 - 1e-9);
+  EXPECT_GE(best,
+            0.95);  // only a pan may gain, against the kernel that is best for half-pixel warps
   EXPECT_LT(best, 1.2);
   EXPECT_LT(best, objective.Evaluate(KeysCanonicalWeights(-0.4)));
   for (const double baseline : objective.baselines()) EXPECT_GT(baseline, 0);
