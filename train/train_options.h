@@ -14,7 +14,7 @@ constexpr const char* Name(Optimizer optimizer) {
   return optimizer == Optimizer::kLbfgs ? "lbfgs" : "adam";
 }
 
-inline constexpr int kMaxHorizon = 1024;
+inline constexpr int kMaxHorizon = 512;  // a half-pixel horizon is twice as long, and a fit records up to 1024
 inline constexpr int kDefaultStages = 5;
 inline constexpr int kDefaultLbfgsIterations = 40;  // per stage
 inline constexpr int kDefaultAdamIterations = 100;

@@ -26,7 +26,7 @@ inline constexpr double kProtocolPower = 64;
 // The longest half-pixel horizon over the longest horizon. All half-pixel warps use one node, and its best weights for a
 // long horizon stand close to the limit beyond which an image rings; where the limit is depends on the content, so the
 // training keeps some distance.
-inline constexpr double kHalfReserve = 2;
+inline constexpr double kHalfReserve = 1.6;
 
 // The half-pixel protocols of these horizons, the longest of which is kHalfReserve times longer; then the random ones;
 // then, where asked for, one pan, of the multiple of kNodes warps that is nearest to the longest horizon.

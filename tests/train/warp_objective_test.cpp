@@ -17,7 +17,7 @@ WarpObjective Make() {
 TEST(WarpObjective, ProtocolsAreHalfThenRandomThenPan) {
   const WarpObjective objective = Make();
   ASSERT_EQ(objective.protocols().size(), 7u);
-  EXPECT_EQ(objective.protocols()[2].warps, 16);  // twice as long as asked
+  EXPECT_EQ(objective.protocols()[2].warps, 12);  // longer than asked
   EXPECT_EQ(objective.protocols()[1].warps, 6);
   EXPECT_EQ(objective.protocols()[1].offsets, Offsets::kHalf);
   EXPECT_EQ(objective.protocols()[5].offsets, Offsets::kRandom);
