@@ -14,7 +14,8 @@
 
 namespace warplut {
 
-// The factor of the penalty by which weights are finally judged: high enough that what is left above the bound is of the
+// The factor of the penalty by which weights are finally judged: high enough that what is left above the bound is of
+// the
 // order of 1e-4.
 inline constexpr double kGainPenaltyFactor = 20.0;
 

@@ -3,11 +3,13 @@
 // A protocol i is a kind of offsets (half, random, pan) and a number of warps N; l_i(w) is the mean of 1 - SSIM after N
 // warps with the weights w, over crops and trajectories. With a baseline b_i for each protocol,
 //
-//   L(w) = q M(pan) + (1 - q) ( h M(half) + (1 - h) M(random) ),   M(protocols of one kind) = ( mean of (l_i / b_i)^p )^(1/p)
+//   L(w) = q M(pan) + (1 - q) ( h M(half) + (1 - h) M(random) )
+//   M    = ( mean over the protocols of one kind of (l_i / b_i)^p )^(1/p)
 //
 // The larger p, the more the protocol counts in which w does worst against the baseline, so that no horizon is bought
 // with another; L < 1 means better than the baselines. They are, on the same crops and trajectories: for random offsets
-// the best Keys kernel for that very protocol; for the others, and for the longest random horizon, the Keys kernel that is
+// the best Keys kernel for that very protocol; for the others, and for the longest random horizon, the Keys kernel
+// that is
 // best for the longest half-pixel horizon, since one half-pixel node must serve all of them.
 // Source of the loss: Mob-FGSR supplement, section 5; protocols, baselines and the power mean are ours.
 #pragma once
@@ -23,7 +25,8 @@ namespace warplut {
 // The power p by which weights are finally judged.
 inline constexpr double kProtocolPower = 64;
 
-// The longest half-pixel horizon over the longest horizon. All half-pixel warps use one node, and its best weights for a
+// The longest half-pixel horizon over the longest horizon. All half-pixel warps use one node, and its best weights for
+// a
 // long horizon stand close to the limit beyond which an image rings; where the limit is depends on the content, so the
 // training keeps some distance.
 inline constexpr double kHalfReserve = 1.6;
@@ -44,11 +47,13 @@ struct WarpObjectiveOptions {
 class WarpObjective {
  public:
   // Each crop is rolled out along the half-pixel trajectory, along pans, and for each random protocol along
-  // so many trajectories of its own that every one warps about equally often. Horizons even, ascending. Baselines as above.
+  // so many trajectories of its own that every one warps about equally often. Horizons even, ascending. Baselines as
+  // above.
   WarpObjective(std::vector<BorderedPlane> crops, const std::vector<int>& horizons,
                 std::uint64_t seed, const WarpObjectiveOptions& options = {});
 
-  // With the baselines of `like`, which has the same horizons and a pan if this has, scaled protocol by protocol by what Catmull-Rom loses on these
+  // With the baselines of `like`, which has the same horizons and a pan if this has, scaled protocol by protocol by
+  // what Catmull-Rom loses on these
   // crops over what it loses on those: no Keys kernels are searched.
   WarpObjective(std::vector<BorderedPlane> crops, const WarpObjective& like, std::uint64_t seed,
                 const WarpObjectiveOptions& options);
