@@ -77,8 +77,7 @@ run_tests ci
 if [ "$full" = yes ]; then
   configure_and_build runtime-only
   run_tests runtime-only
-  configure_and_build asan-ubsan test_luts test_runtime test_train test_datasets
-  # Whole renders take minutes under the sanitizers; the scenes are tested without them above.
-  run_tests asan-ubsan --exclude-regex '_NOT_BUILT$|^Scene'
+  configure_and_build asan-ubsan test_luts test_runtime test_train
+  run_tests asan-ubsan --exclude-regex '_NOT_BUILT$'
 fi
 step "done"
