@@ -15,8 +15,7 @@
 namespace warplut {
 
 // The factor of the penalty by which weights are finally judged: high enough that what is left above the bound is of
-// the
-// order of 1e-4.
+// the order of 1e-4.
 inline constexpr double kGainPenaltyFactor = 20.0;
 
 class MlpObjective {
@@ -43,8 +42,7 @@ class MlpObjective {
 };
 
 // Random starting parameters: layers uniform with variance 2 / (in + out) (Glorot and Bengio 2010),
-// the last one scaled by kLastLayerScale so that the start lies near the head's base kernel; biases
-// 0.
+// the last one scaled by kLastLayerScale so that the start lies near the head's base kernel; biases 0.
 std::vector<double> RandomParameters(std::uint64_t seed);
 
 inline constexpr double kLastLayerScale = 0.1;

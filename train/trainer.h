@@ -2,8 +2,7 @@
 //
 // The training goes in stages. Each draws crops and trajectories anew, so that no stage can learn
 // its trajectories by heart, and starts the optimizer from where the last one ended; early stages have fewer crops and
-// a smoother objective. After each
-// stage the fit is validated on crops that are drawn from other places and trajectories of their
+// a smoother objective. After each stage the fit is validated on crops that are drawn from other places and trajectories of their
 // own; the best stage is the result.
 #pragma once
 

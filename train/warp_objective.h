@@ -9,8 +9,7 @@
 // The larger p, the more the protocol counts in which w does worst against the baseline, so that no horizon is bought
 // with another; L < 1 means better than the baselines. They are, on the same crops and trajectories: for random offsets
 // the best Keys kernel for that very protocol; for the others, and for the longest random horizon, the Keys kernel
-// that is
-// best for the longest half-pixel horizon, since one half-pixel node must serve all of them.
+// that is best for the longest half-pixel horizon, since one half-pixel node must serve all of them.
 // Source of the loss: Mob-FGSR supplement, section 5; protocols, baselines and the power mean are ours.
 #pragma once
 
@@ -26,9 +25,8 @@ namespace warplut {
 inline constexpr double kProtocolPower = 64;
 
 // The longest half-pixel horizon over the longest horizon. All half-pixel warps use one node, and its best weights for
-// a
-// long horizon stand close to the limit beyond which an image rings; where the limit is depends on the content, so the
-// training keeps some distance.
+// a long horizon stand close to the limit beyond which an image rings; where the limit is depends on the content, so
+// the training keeps some distance.
 inline constexpr double kHalfReserve = 1.6;
 
 // The half-pixel protocols of these horizons, the longest of which is kHalfReserve times longer; then the random ones;
@@ -53,8 +51,7 @@ class WarpObjective {
                 std::uint64_t seed, const WarpObjectiveOptions& options = {});
 
   // With the baselines of `like`, which has the same horizons and a pan if this has, scaled protocol by protocol by
-  // what Catmull-Rom loses on these
-  // crops over what it loses on those: no Keys kernels are searched.
+  // what Catmull-Rom loses on these crops over what it loses on those: no Keys kernels are searched.
   WarpObjective(std::vector<BorderedPlane> crops, const WarpObjective& like, std::uint64_t seed,
                 const WarpObjectiveOptions& options);
 
