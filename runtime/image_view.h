@@ -66,21 +66,34 @@ struct BasicImageView {
       return reinterpret_cast<T*>(static_cast<std::byte*>(data) + y * stride);
     }
   }
+
+  operator BasicImageView<const void>() const requires(!std::is_const_v<Void>) {
+    return {data, width, height, stride, format};
+  }
 };
 
 using ImageView = BasicImageView<const void>;
 using MutableImageView = BasicImageView<void>;
 
 // Motion vectors (x, y) in pixels, interleaved; `stride` in bytes, floats aligned to 4 bytes.
-struct MotionView {
-  const float* xy = nullptr;
+template <class Float>
+struct BasicMotionView {
+  Float* xy = nullptr;
   int width = 0;
   int height = 0;
   std::ptrdiff_t stride = 0;
 
-  const float* Row(int y) const {
-    return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(xy) + y * stride);
+  Float* Row(int y) const {
+    using Byte = std::conditional_t<std::is_const_v<Float>, const std::byte, std::byte>;
+    return reinterpret_cast<Float*>(reinterpret_cast<Byte*>(xy) + y * stride);
+  }
+
+  operator BasicMotionView<const Float>() const requires(!std::is_const_v<Float>) {
+    return {xy, width, height, stride};
   }
 };
+
+using MotionView = BasicMotionView<const float>;
+using MutableMotionView = BasicMotionView<float>;
 
 }  // namespace warplut

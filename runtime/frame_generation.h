@@ -1,0 +1,91 @@
+// Frame generation: frames between two displayed frames (interpolation) or after the later one (extrapolation).
+//
+// p1 is a pixel of frame 1, m1 its motion (from frame 0 to 1), m0 the motion of frame 0 at p1 - m1 (from frame -1 to 0):
+//   interpolated, at time alpha:      p1 - m1 + alpha/2 (m1 + m0) + alpha^2/2 (m1 - m0)
+//   extrapolated, at time 1 + alpha:  p1 + alpha/2 (3 m1 - m0) + alpha^2/2 (m1 - m0)
+// and without m0 the linear p1 - (1 - alpha) m1 and p1 + alpha m1.
+//
+// Passes: splat (the motion of every pixel of frame 1 to the nearest pixel of where it will be; the least depth wins, ties by the
+// lesser source index, whatever the thread order), refine (thin gaps take the mean of their foreground neighbours), warp both
+// frames and InterpolationShare (interpolation), or warp frame 1 and fill disocclusions (extrapolation).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "runtime/color_encoding.h"
+#include "runtime/executor.h"
+#include "runtime/gates.h"
+#include "runtime/image_view.h"
+#include "runtime/parameters.h"
+#include "runtime/warp.h"
+
+namespace warplut {
+
+// One displayed frame; all views on one grid. Formats, units and the treatment of NaN and infinity as for RenderedFrame; a pixel
+// whose motion is not finite counts as one that was not there in the frame before.
+struct DisplayedFrame {
+  ImageView color;
+  ImageView depth;
+  MotionView motion;
+  bool cut = false;
+};
+
+enum class MotionModel : std::uint8_t { kLinear, kQuadratic };
+enum class DisocclusionFill : std::uint8_t {
+  kOwnMotion,   // frame 1 at the motion that its own pixel there has (Mob-FGSR)
+  kBackground,  // the motion of the farthest splatted neighbour
+  kNone,        // frame 1 as it is
+};
+
+struct FrameGenerationOptions {
+  int width = 0, height = 0;
+  MotionModel motion_model = MotionModel::kQuadratic;
+  bool refine = true;
+  DisocclusionFill fill = DisocclusionFill::kOwnMotion;
+  DepthMeasure depth = DepthMeasure::kRelative;
+  bool brightness_gate = true;  // false: a linear blend wherever depth agrees
+  bool motion_filter = false;   // the guided filter that takes quantisation out of the motion
+  WarpOptions warp;
+  ColorEncoding encoding = ColorEncoding::kDisplay;
+  Parameters parameters;
+  float gate_width = 0;    // as in SuperResolutionOptions
+  bool reference = false;  // run the plain version of every pass
+
+  bool IsValid(std::string* why = nullptr) const;
+};
+
+class FrameGeneration {
+ public:
+  // Allocates every buffer. Options must be valid; executor outlives the object.
+  FrameGeneration(const FrameGenerationOptions& options, Executor& executor);
+  ~FrameGeneration();
+
+  // The frame at `alpha` in (0, 1) between frame0 and frame1. If frame1 is a cut the nearer frame in time is shown. If
+  // frame0 is a cut its motion is not used: the motion is taken as linear. `out`: size of the options, RGBA8, RGBA16F or
+  // RGBA32F as the colours are; alpha channel 1.
+  void Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
+                   const MutableImageView& out);
+
+  // The frame at `alpha` in (0, 1) after frame1; frame0 gives its motion and depth alone and may have no colour.
+  void Extrapolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
+                   const MutableImageView& out);
+
+  // Whether the two may be called with these; otherwise *why (if not null) says why not.
+  bool IsGenerable(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
+                   const MutableImageView& out, std::string* why) const;
+
+  // New parameters and gate width from the next call on; both valid.
+  void SetParameters(const Parameters& parameters, float gate_width = 0);
+
+  // Bytes of all buffers.
+  std::size_t MemoryBytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace warplut

@@ -1,0 +1,56 @@
+// The calibrated numbers of the pipeline: one table that the pipeline, the calibration, the command line and the tests
+// share. What is a choice and not a number stands in the options of the methods.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace warplut {
+
+struct Parameters {
+  float sr_depth_threshold = 0.1f;          // T_D of super resolution
+  float generation_depth_threshold = 0.1f;  // T_D of frame generation
+  float brightness_threshold = 0.05f;       // T_B
+  float blend_a = 0.7f;                     // a
+  float blend_b = 0.8f;                     // b
+  float clamp_gamma = 3.0f;                 // half width of the colour box of super resolution
+
+  bool operator==(const Parameters&) const = default;
+
+  // Whether every value lies in its range; otherwise *why (if not null) names the first that does not, with its range.
+  bool IsValid(std::string* why = nullptr) const;
+};
+
+struct ParameterInfo {
+  const char* name;  // as in files and on the command line
+  float Parameters::*member;
+  float min, max;    // what IsValid accepts, and where calibration searches
+  bool logarithmic;  // calibration moves in its logarithm (min > 0)
+  const char* meaning;
+};
+
+inline constexpr std::array<ParameterInfo, 6> kParameters = {{
+    {"sr_depth_threshold", &Parameters::sr_depth_threshold, 1e-4f, 4.0f, true,
+     "history is rejected where depth differs by more, super resolution"},
+    {"generation_depth_threshold", &Parameters::generation_depth_threshold, 1e-4f, 4.0f, true,
+     "the farther frame is what was revealed where depth differs by more, frame generation"},
+    {"brightness_threshold", &Parameters::brightness_threshold, 1e-3f, 1.0f, true,
+     "the nearer frame is taken where luma differs by no more, interpolation"},
+    {"blend_a", &Parameters::blend_a, 0.02f, 8.0f, true,
+     "share of a sample that lies on the pixel centre, super resolution"},
+    {"blend_b", &Parameters::blend_b, 0.0f, 4.0f, false,
+     "how fast the share falls with the distance in render pixels, super resolution"},
+    {"clamp_gamma", &Parameters::clamp_gamma, 0.25f, 16.0f, true,
+     "half width of the variance box in standard deviations, super resolution"},
+}};
+
+// The constants that the paper prints (Mob-FGSR, section 5); T_D is absolute there, in units of the far plane. It has no
+// variance box.
+inline constexpr Parameters kPaperParameters = {.sr_depth_threshold = 0.0028f,
+                                                .generation_depth_threshold = 0.0028f,
+                                                .brightness_threshold = 0.13f,
+                                                .blend_a = 0.34f,
+                                                .blend_b = 0.81f,
+                                                .clamp_gamma = 3.0f};
+
+}  // namespace warplut

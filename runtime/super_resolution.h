@@ -1,0 +1,108 @@
+// Super resolution: rendered frames with jitter -> frames on the output grid, by a history that a LUT warps.
+//
+// Steps of one frame, for output pixel q with centre P (output pixels), s = output / render size in each axis:
+//   1. motion and depth at q, from the render samples around P / s (edge-aware: bilinear inside surfaces, the nearest
+//      surface's at depth edges);
+//   2. q^w = history at P - m by the filter; valid where P - m is in the image, no cut, and the depth there one frame ago
+//      differs by at most T_D;
+//   3. q^w limited to the colour box of the 3 x 3 render samples around P;
+//   4. the new samples enter, in one of two forms (SPEC of the forms: docs/PIPELINE.md):
+//      kSample    q = share * mean(w s) / mean(w) + (1 - share) q^w, share = BlendShare(a, mean w) over the samples within one
+//                 render pixel: equation 2 of the paper in the form that keeps constants;
+//      kResidual  q = q^w + share * (interpolated differences of the samples from what the warped history predicts at
+//                 their own positions); share = BlendShare(a, SampleWeight(b, distance of the nearest sample)).
+//   Without valid history q is the current frame alone, interpolated at P with its jitter.
+//
+// A sample (i, j) of the render grid lies at output position ((i + 1/2 + jitter_x) s_x, (j + 1/2 + jitter_y) s_y).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "runtime/color_encoding.h"
+#include "runtime/executor.h"
+#include "runtime/gates.h"
+#include "runtime/image_view.h"
+#include "runtime/parameters.h"
+#include "runtime/warp.h"
+
+namespace warplut {
+
+// One rendered frame; all views on the render grid. Colour: RGBA8, RGBA16F or RGBA32F (alpha is ignored). Depth: R32F, view
+// depth in units of the far plane, >= 0; NaN, negative and infinite values count as kFarthestDepth. Motion: pixels of the
+// render grid, from the frame before to this one, without jitter; where a component is NaN or infinite there is no history.
+// A NaN or infinite colour channel counts as 0, in kDisplay what lies outside [0, 1] is limited to it.
+struct RenderedFrame {
+  ImageView color;
+  ImageView depth;
+  MotionView motion;
+  float jitter_x = 0;  // render pixels, in [-1, 1]
+  float jitter_y = 0;
+  bool cut = false;  // shares nothing with the frame before
+};
+
+enum class HistoryForm : std::uint8_t { kSample, kResidual };
+enum class ColorClamp : std::uint8_t { kNone, kBox, kVariance };
+enum class MotionUpsampling : std::uint8_t { kNearest, kDilated, kEdgeAware };
+enum class CurrentFrame : std::uint8_t {
+  kBilinear,
+  kBicubic
+};  // how the current frame alone is interpolated
+
+struct SuperResolutionOptions {
+  int render_width = 0, render_height = 0;
+  int output_width = 0, output_height = 0;  // 1 to 4 times render, in each axis
+  HistoryForm form = HistoryForm::kResidual;
+  bool history = true;  // false: every frame from itself alone
+  ColorClamp clamp = ColorClamp::kVariance;
+  DepthMeasure depth = DepthMeasure::kRelative;
+  MotionUpsampling motion = MotionUpsampling::kEdgeAware;
+  bool motion_filter = false;  // the guided filter that takes quantisation out of the motion
+  CurrentFrame current = CurrentFrame::kBicubic;
+  WarpOptions warp;                                    // the filter of the history
+  PixelFormat history_format = PixelFormat::kRgba16F;  // RGBA8, RGBA16F or RGBA32F
+  ColorEncoding encoding = ColorEncoding::kDisplay;
+  Parameters parameters;
+  float gate_width = 0;    // of every gate, relative to its threshold, in [0, 1]; 0 is what ships
+  bool reference = false;  // run the plain version of every pass
+
+  bool IsValid(std::string* why = nullptr) const;
+};
+
+// What frame generation needs beside the colour, on the output grid; views that stay valid until the next Process.
+struct OutputGeometry {
+  ImageView depth;    // R32F, in [0, kFarthestDepth]
+  MotionView motion;  // output pixels
+};
+
+class SuperResolution {
+ public:
+  // Allocates every buffer. Options must be valid; executor outlives the object.
+  SuperResolution(const SuperResolutionOptions& options, Executor& executor);
+  ~SuperResolution();
+
+  // The next frame. Sizes must be those of the options and formats those of RenderedFrame (IsProcessable); `out` is RGBA8,
+  // RGBA16F or RGBA32F on the output grid, alpha is set to 1.
+  void Process(const RenderedFrame& frame, const MutableImageView& out);
+  bool IsProcessable(const RenderedFrame& frame, const MutableImageView& out,
+                     std::string* why) const;
+
+  // Depth and motion of the last frame, upsampled as step 1 does. Computed on the first call after Process.
+  OutputGeometry Geometry();
+
+  // Forgets the history: the next frame is treated as a cut.
+  void Reset();
+  // New parameters and gate width from the next frame on; both valid.
+  void SetParameters(const Parameters& parameters, float gate_width = 0);
+
+  // Bytes of all buffers.
+  std::size_t MemoryBytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace warplut

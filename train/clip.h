@@ -1,0 +1,41 @@
+// Frames of a sequence in memory, in the form that the runtime takes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "datasets/sequence.h"
+#include "runtime/frame_generation.h"
+#include "runtime/image_buffer.h"
+#include "runtime/super_resolution.h"
+
+namespace warplut {
+
+// Buffers of streams that were not loaded are empty (0 x 0).
+struct ClipFrame {
+  int number = 0;
+  bool cut = false;
+  Vec2 jitter;
+  ImageBuffer color, depth;
+  MotionBuffer motion;
+  ImageBuffer reference, reference_depth;
+  MotionBuffer reference_motion;
+
+  RenderedFrame Rendered() const;    // color, depth, motion with its jitter
+  DisplayedFrame Displayed() const;  // the references, as a display shows them
+};
+
+// Colour is RGBA8 where the sequence is sRGB and its files have 8 bits, else RGBA32F.
+struct Clip {
+  std::string name;
+  GridSize render, output;
+  ColorEncoding encoding = ColorEncoding::kDisplay;
+  std::vector<ClipFrame> frames;
+};
+
+// Loads the streams `which` of frames [first, first + count) by index. The motion of every frame is that from the frame `every`
+// before it in the sequence: composed along the frames between, so that a clip can be taken from every `every`-th frame; frames
+// that cannot be composed, as a cut lies between, are cuts. Errors as LoadFrame.
+Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1);
+
+}  // namespace warplut

@@ -1,0 +1,18 @@
+// Calibrated parameters as a file: PARAMS.json, a seam between calibration and whoever runs the pipeline.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "runtime/parameters.h"
+
+namespace warplut {
+
+// Reads "format": "warplut-parameters", "version": 1, "parameters": {name: value, ...}; parameters that are not named keep their
+// defaults; a calibration's report beside them is passed over. Error: names the file, the field, what was found and expected.
+Parameters ReadParameters(const std::filesystem::path& path);
+
+// The same object as text with the calibration's report (a JSON object as text, or empty) under "calibration". A pure function.
+std::string ParametersJson(const Parameters& parameters, const std::string& calibration_json);
+
+}  // namespace warplut
