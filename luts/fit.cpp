@@ -16,7 +16,6 @@
 namespace warplut {
 namespace {
 
-constexpr int kMaxHorizon = 1024;
 constexpr std::size_t kSha1Digits = 40;
 
 bool OneOf(const std::string& text, std::initializer_list<const char*> list) {
@@ -57,9 +56,9 @@ std::string HeadFault(const Fit& fit) {
   for (std::size_t i = 0; i < fit.horizons.size(); ++i) {
     const int horizon = fit.horizons[i];
     const int least = i == 0 ? 1 : fit.horizons[i - 1] + 1;
-    if (horizon < least || horizon > kMaxHorizon) {
+    if (horizon < least || horizon > kMaxRecordedWarps) {
       return fmt::format("horizons[{}] is {}, expected ascending numbers, here one in [{}, {}]", i,
-                         horizon, least, kMaxHorizon);
+                         horizon, least, kMaxRecordedWarps);
     }
   }
   if (!std::isfinite(fit.gain_bound) || fit.gain_bound < 0) {
@@ -119,9 +118,9 @@ std::string RecordFault(const Fit& fit) {
       return fmt::format("validation[{}].offsets is \"{}\", expected half, random or pan", i,
                          score.offsets);
     }
-    if (score.warps < 1 || score.warps > kMaxHorizon) {
+    if (score.warps < 1 || score.warps > kMaxRecordedWarps) {
       return fmt::format("validation[{}].warps is {}, expected a number in [1, {}]", i, score.warps,
-                         kMaxHorizon);
+                         kMaxRecordedWarps);
     }
     if (!(score.ssim >= -1 && score.ssim <= 1)) {
       return fmt::format("validation[{}].ssim is {}, expected a number in [-1, 1]", i, score.ssim);

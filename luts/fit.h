@@ -38,16 +38,19 @@ struct FitScore {
 // Whether `text` can name a fit, and what is generated from it: ASCII letters, digits and _, the first not a digit.
 bool IsIdentifier(std::string_view text);
 
+// The most warps that a fit records, of a horizon or a score.
+inline constexpr int kMaxRecordedWarps = 1024;
+
 struct Fit {
   static constexpr int kVersion = 1;
 
-  std::string name;  // IsIdentifier
-  double scale = 2;  // output / render, >= 1
-  std::string objective = "warp";
-  std::string optimizer;      // "lbfgs", "adam", "lm"
-  std::vector<int> horizons;  // numbers of warps, ascending, each in [1, 1024]
-  double gain_bound = 0;      // largest |H| asked for, of any node and frequency
-  double keys_a = 0;          // the best Keys kernel on the same data and loss
+  std::string name;                // IsIdentifier
+  double scale = 2;                // output / render, >= 1
+  std::string objective = "warp";  // or "sr"
+  std::string optimizer;           // "lbfgs", "adam", "lm"
+  std::vector<int> horizons;       // numbers of warps, ascending, each in [1, kMaxRecordedWarps]
+  double gain_bound = 0;           // largest |H| asked for, of any node and frequency
+  double keys_a = 0;               // the best Keys kernel on the same data and loss
   std::uint64_t seed = 0;
   std::string options;             // the training's options: a JSON object on one line
   std::vector<double> parameters;  // kMlpParameters finite values

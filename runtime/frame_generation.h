@@ -6,8 +6,12 @@
 // and without m0 the linear p1 - (1 - alpha) m1 and p1 + alpha m1.
 //
 // Passes: splat (the motion of every pixel of frame 1 to the nearest pixel of where it will be; the least depth wins, ties by the
-// lesser source index, whatever the thread order), refine (thin gaps take the mean of their foreground neighbours), warp both
-// frames and InterpolationShare (interpolation), or warp frame 1 and fill disocclusions (extrapolation).
+// lesser source index, whatever the thread order), refine (thin gaps take the mean of their foreground neighbours; what then has
+// no motion is a disocclusion and takes it from its surroundings), warp both frames and InterpolationShare (interpolation), or
+// warp frame 1 (extrapolation). docs/GENERATION.md has formulas, buffers, limits and measured quality.
+//
+// Any executor gives the same bits. The generating functions allocate nothing. Buffers take 16 bytes per pixel, with kLinearHdr
+// and with a motion filter 16 more each, and 48 bytes for each pixel of 16 rows and each thread; a motion filter has its own besides.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +29,7 @@
 namespace warplut {
 
 // One displayed frame; all views on one grid. Formats, units and the treatment of NaN and infinity as for RenderedFrame; a pixel
-// whose motion is not finite counts as one that was not there in the frame before.
+// whose motion is not finite counts as one that was not there in the frame before: it goes nowhere.
 struct DisplayedFrame {
   ImageView color;
   ImageView depth;
@@ -36,7 +40,7 @@ struct DisplayedFrame {
 enum class MotionModel : std::uint8_t { kLinear, kQuadratic };
 enum class DisocclusionFill : std::uint8_t {
   kOwnMotion,   // frame 1 at the motion that its own pixel there has (Mob-FGSR)
-  kBackground,  // the motion of the farthest splatted neighbour
+  kBackground,  // the motion of the farthest of the first splatted pixels in 8 directions
   kNone,        // frame 1 as it is
 };
 
@@ -44,10 +48,13 @@ struct FrameGenerationOptions {
   int width = 0, height = 0;
   MotionModel motion_model = MotionModel::kQuadratic;
   bool refine = true;
-  DisocclusionFill fill = DisocclusionFill::kOwnMotion;
+  DisocclusionFill fill =
+      DisocclusionFill::kOwnMotion;  // of extrapolation; interpolation takes kBackground
   DepthMeasure depth = DepthMeasure::kRelative;
-  bool brightness_gate = true;  // false: a linear blend wherever depth agrees
-  bool motion_filter = false;   // the guided filter that takes quantisation out of the motion
+  bool brightness_gate = false;  // false: a linear blend wherever depth agrees
+  bool motion_filter = false;    // takes quantisation out of the motion (runtime/motion_filter.h)
+  float motion_filter_limit =
+      2;  // MotionFilterOptions::limit: frames to generate between lie far apart
   WarpOptions warp;
   ColorEncoding encoding = ColorEncoding::kDisplay;
   Parameters parameters;
@@ -65,7 +72,7 @@ class FrameGeneration {
 
   // The frame at `alpha` in (0, 1) between frame0 and frame1. If frame1 is a cut the nearer frame in time is shown. If
   // frame0 is a cut its motion is not used: the motion is taken as linear. `out`: size of the options, RGBA8, RGBA16F or
-  // RGBA32F as the colours are; alpha channel 1.
+  // RGBA32F, which need not be the format of the colours; it overlaps no input; alpha channel 1.
   void Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                    const MutableImageView& out);
 
@@ -73,7 +80,8 @@ class FrameGeneration {
   void Extrapolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                    const MutableImageView& out);
 
-  // Whether the two may be called with these; otherwise *why (if not null) says why not.
+  // Whether the two may be called with these; otherwise *why (if not null) says why not. A frame0 without colour data is fit for
+  // Extrapolate alone.
   bool IsGenerable(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                    const MutableImageView& out, std::string* why) const;
 

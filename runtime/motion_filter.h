@@ -1,42 +1,47 @@
-// Takes quantisation and noise out of motion vectors: a guided filter whose guide is inverse depth.
+// Takes quantisation and noise out of the motion of what stands still.
 //
-// Under a moving camera the motion of what stands still is, in a neighbourhood, linear in 1 / depth. In the window around each
-// pixel m = A (1 / z) + B is fitted by least squares, A and B are averaged over the windows that hold the pixel, and the motion is
-// A (1 / z) + B there. Source: He, Sun, Tang, "Guided image filtering", 2010, with the guide of warplut.
+// The motion of a still point depends on the camera, its pixel and its depth alone (runtime/camera_motion.h). The camera is
+// fitted to the frame's motion; where it explains a motion vector within `limit` the vector is replaced by the camera's, elsewhere
+// (moving objects) it is left as it is, to the bit. Per axis,
+//   limit = min(options.limit, kNoiseToLimit * median |input motion - camera's motion|),
+// so that the pass measures the noise itself: exact motion is as good as unchanged, and motion that no
+// camera explains is changed by options.limit at most.
 #pragma once
 
 #include <string>
 
+#include "runtime/camera_motion.h"
 #include "runtime/executor.h"
-#include "runtime/image_buffer.h"
 #include "runtime/image_view.h"
 
 namespace warplut {
 
 struct MotionFilterOptions {
-  int radius = 16;  // window of (2 radius + 1)^2 pixels, cut at the borders; in [1, 64]
+  float limit = 4;  // the largest change of a component, pixels; in (0, 16]
 
+  // Otherwise *why (if not null) names the option and its range.
   bool IsValid(std::string* why = nullptr) const;
 };
 
 class MotionFilter {
  public:
+  // Allocates every buffer; the size and the options must be valid.
   MotionFilter(int width, int height, const MotionFilterOptions& options);
 
-  // depth: R32F as in RenderedFrame; motion, out: of one size with it; `out` may be `motion`. Pixels whose motion is not
-  // finite have no part in any window and are copied.
+  // depth: R32F, treated as in RenderedFrame; motion, out: of one size with it; `out` may be `motion`. A vector that is not
+  // finite is copied. Input is assumed to be checked. The same bits for any executor.
   void Apply(const ImageView& depth, const MotionView& motion, Executor& executor,
              const MutableMotionView& out);
 
-  // The same, slowly: direct sums in double.
+  // The same, one pixel after the other in double.
   static void Reference(const ImageView& depth, const MotionView& motion,
                         const MotionFilterOptions& options, const MutableMotionView& out);
 
-  std::size_t MemoryBytes() const;
+  std::size_t MemoryBytes() const { return fit_.MemoryBytes(); }
 
  private:
   MotionFilterOptions options_;
-  RowBuffer sums_, coefficients_;
+  CameraFit fit_;
 };
 
 }  // namespace warplut

@@ -1,17 +1,20 @@
 // Super resolution: rendered frames with jitter -> frames on the output grid, by a history that a LUT warps.
 //
 // Steps of one frame, for output pixel q with centre P (output pixels), s = output / render size in each axis:
-//   1. motion and depth at q, from the render samples around P / s (edge-aware: bilinear inside surfaces, the nearest
+//   1. motion m and depth at q, from the render samples around P / s (edge-aware: bilinear inside surfaces, the nearest
 //      surface's at depth edges);
-//   2. q^w = history at P - m by the filter; valid where P - m is in the image, no cut, and the depth there one frame ago
-//      differs by at most T_D;
-//   3. q^w limited to the colour box of the 3 x 3 render samples around P;
-//   4. the new samples enter, in one of two forms (SPEC of the forms: docs/PIPELINE.md):
+//   2. q^w = history at P - m by the filter; valid where P - m is in the image, no cut, and the depth at q differs by at most T_D
+//      from the range of the 4 x 4 depths around P - m one frame ago;
+//   3. q^w limited to the colour box of the 3 x 3 render samples around P; where history is partly valid (gate_width > 0) or
+//      not at all the rest is the current frame alone, interpolated at P with its jitter;
+//   4. the new samples enter, in one of two forms (docs/PIPELINE.md):
 //      kSample    q = share * mean(w s) / mean(w) + (1 - share) q^w, share = BlendShare(a, mean w) over the samples within one
 //                 render pixel: equation 2 of the paper in the form that keeps constants;
-//      kResidual  q = q^w + share * (interpolated differences of the samples from what the warped history predicts at
-//                 their own positions); share = BlendShare(a, SampleWeight(b, distance of the nearest sample)).
-//   Without valid history q is the current frame alone, interpolated at P with its jitter.
+//      kResidual  q = q^w + share * (bilinearly interpolated differences of the samples from what the warped history predicts
+//                 at their own positions, by Catmull-Rom); share = BlendShare(a, SampleWeight(b, distance of the nearest
+//                 sample)).
+//   Without history (first frame, cut, options.history false) step 2 finds nothing valid.
+// q is limited to [0, 1] before it is stored (linear HDR: of the tone-mapped value).
 //
 // A sample (i, j) of the render grid lies at output position ((i + 1/2 + jitter_x) s_x, (j + 1/2 + jitter_y) s_y).
 #pragma once
@@ -59,8 +62,8 @@ struct SuperResolutionOptions {
   ColorClamp clamp = ColorClamp::kVariance;
   DepthMeasure depth = DepthMeasure::kRelative;
   MotionUpsampling motion = MotionUpsampling::kEdgeAware;
-  bool motion_filter = false;  // the guided filter that takes quantisation out of the motion
-  CurrentFrame current = CurrentFrame::kBicubic;
+  bool motion_filter = false;  // takes quantisation out of the motion (runtime/motion_filter.h)
+  CurrentFrame current = CurrentFrame::kBilinear;
   WarpOptions warp;                                    // the filter of the history
   PixelFormat history_format = PixelFormat::kRgba16F;  // RGBA8, RGBA16F or RGBA32F
   ColorEncoding encoding = ColorEncoding::kDisplay;
@@ -79,17 +82,19 @@ struct OutputGeometry {
 
 class SuperResolution {
  public:
-  // Allocates every buffer. Options must be valid; executor outlives the object.
+  // Allocates every buffer that Process needs: Process itself allocates nothing. Options must be valid; executor outlives the
+  // object. The same bits for any executor.
   SuperResolution(const SuperResolutionOptions& options, Executor& executor);
   ~SuperResolution();
 
-  // The next frame. Sizes must be those of the options and formats those of RenderedFrame (IsProcessable); `out` is RGBA8,
+  // The next frame. Not to be called by two threads at a time. Sizes must be those of the options and formats those of RenderedFrame (IsProcessable); `out` is RGBA8,
   // RGBA16F or RGBA32F on the output grid, alpha is set to 1.
   void Process(const RenderedFrame& frame, const MutableImageView& out);
   bool IsProcessable(const RenderedFrame& frame, const MutableImageView& out,
                      std::string* why) const;
 
-  // Depth and motion of the last frame, upsampled as step 1 does. Computed on the first call after Process.
+  // Depth and motion of the last frame, upsampled as step 1 does; motion is NaN where there is none. Computed on the first call
+  // after Process, whose buffers are allocated by the first call of all.
   OutputGeometry Geometry();
 
   // Forgets the history: the next frame is treated as a cut.

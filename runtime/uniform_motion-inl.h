@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace warplut {
 namespace HWY_NAMESPACE {
 
-bool UniformMotion(const MotionView& motion, const TileRect& pixels) {
+inline bool UniformMotion(const MotionView& motion, const TileRect& pixels) {
   const FloatTag d;
   const float* first = motion.Row(pixels.y0) + 2 * pixels.x0;
   const auto expected = hn::OddEven(hn::Set(d, first[1]), hn::Set(d, first[0]));

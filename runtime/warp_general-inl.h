@@ -207,7 +207,7 @@ HWY_INLINE void PrefetchNext(const WarpJob& job, int x, int y, const PixelRow& r
   PrefetchBytes(static_cast<const std::byte*>(job.out.At(x, y)) + bytes, bytes);
 }
 
-void General(const WarpJob& job, const TileRect& pixels) {
+inline void General(const WarpJob& job, const TileRect& pixels) {
   const TapPolynomials taps(job.options);
   const Table* table = job.options.table;
   const bool lut = job.options.filter == Filter::kLut;

@@ -1,7 +1,7 @@
 // The kernel for pixels of one motion: a 4 x 4 stencil with one set of weights, vectorised along the row.
 //
-// A strip's source window, borders clamped, is turned into floats first. The four rows of a strip
-// are summed together, so that each loaded vector serves up to four sums.
+// The four rows of a strip are summed together, so that each loaded vector serves up to four sums. Float texels inside the
+// image are read and written where they are; others, borders clamped, are turned into floats first and rounded last.
 #if defined(WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_
 #undef WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_
@@ -71,29 +71,65 @@ HWY_INLINE void ConvertRow(const ImageView& history, int x0, int y, int count,
   repeat(std::max(left, count - right), count, history.width - 1);
 }
 
+// Floats in rows, `stride` floats apart.
+template <class Float>
+struct FloatRows {
+  Float* first;
+  std::ptrdiff_t stride;
+};
+
 // sums[r][i] = sum over k of weights[k] * window[r + ky][i + kx * kChannels] for all rows r of a
 // strip and i < count, which is rounded up to kLanes.
 template <int kChannels>
-HWY_INLINE void SumRows(const float* HWY_RESTRICT weights, const float* HWY_RESTRICT window,
-                        int count, float* HWY_RESTRICT sums) {
+HWY_INLINE void SumRows(const float* HWY_RESTRICT weights, const FloatRows<const float>& window,
+                        int count, const FloatRows<float>& sums) {
   const FloatTag d;
+  hn::Vec<FloatTag> weight[kWeights];
+  for (int k = 0; k < kWeights; ++k) weight[k] = hn::Set(d, weights[k]);
   for (int i = 0; i < count; i += kLanes) {
     hn::Vec<FloatTag> sum[kStripHeight] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    HWY_UNROLL(kTaps)
     for (int kx = 0; kx < kTaps; ++kx) {
-      const float* column = window + i + kx * kChannels;
+      const float* column = window.first + i + kx * kChannels;
       HWY_UNROLL(kWindowHeight)
       for (int y = 0; y < kWindowHeight; ++y) {
-        const auto texels = hn::LoadU(d, column + y * kWindowStride);
+        const auto texels = hn::LoadU(d, column + y * window.stride);
         HWY_UNROLL(kStripHeight)
         for (int r = 0; r < kStripHeight; ++r) {
           const int ky = y - r;
           if (ky < 0 || ky >= kTaps) continue;
-          sum[r] = hn::MulAdd(hn::Set(d, weights[WeightIndex(kx, ky)]), texels, sum[r]);
+          sum[r] = hn::MulAdd(weight[WeightIndex(kx, ky)], texels, sum[r]);
         }
       }
     }
-    for (int r = 0; r < kStripHeight; ++r) hn::Store(sum[r], d, sums + r * kSumStride + i);
+    for (int r = 0; r < kStripHeight; ++r) hn::StoreU(sum[r], d, sums.first + r * sums.stride + i);
   }
+}
+
+// The first pixels of the strip that SumRows can take from the history to the output as they are: their number.
+HWY_INLINE int DirectPixels(const WarpJob& job, const TileRect& strip, int x0, int y0) {
+  const ImageView& history = job.history;
+  const bool is_float =
+      history.format == PixelFormat::kRgba32F || history.format == PixelFormat::kR32F;
+  if (!is_float || strip.height() != kStripHeight) return 0;
+  if (y0 + kFirstTap < 0 || y0 + kFirstTap + kWindowHeight > history.height) return 0;
+  if (x0 + kFirstTap < 0) return 0;
+  const int inside = std::min(strip.width(), history.width - (x0 + kFirstTap) - (kTaps - 1));
+  const int pixels = kLanes / Channels(history.format);  // of a vector
+  return std::max(inside, 0) / pixels * pixels;
+}
+
+template <int kChannels>
+HWY_INLINE void DirectStrip(const WarpJob& job, const TileRect& strip, int x0, int y0, int pixels,
+                            const Weights<float>& weights) {
+  const auto stride = [](const auto& view) {
+    return view.stride / static_cast<std::ptrdiff_t>(sizeof(float));
+  };
+  const ImageView& history = job.history;
+  SumRows<kChannels>(
+      weights.data(),
+      {static_cast<const float*>(history.At(x0 + kFirstTap, y0 + kFirstTap)), stride(history)},
+      pixels * kChannels, {static_cast<float*>(job.out.At(strip.x0, strip.y0)), stride(job.out)});
 }
 
 // Asks for what the strip to the right will need: where it is written, and the rows of its window
@@ -109,18 +145,12 @@ HWY_INLINE void PrefetchNextStrip(const WarpJob& job, const TileRect& strip, int
   }
 }
 
-// Warps at most kStripWidth x kStripHeight pixels.
-HWY_INLINE void UniformStrip(const WarpJob& job, const TileRect& strip, const MotionSplit& split_x,
-                             const MotionSplit& split_y, const Weights<float>& weights) {
+// Warps at most kStripWidth x kStripHeight pixels whose window begins at texel (x0, y0) + kFirstTap.
+HWY_INLINE void ConvertedStrip(const WarpJob& job, const TileRect& strip, int x0, int y0,
+                               const Weights<float>& weights) {
   const ImageView& history = job.history;
   const int channels = Channels(history.format);
   const int count = strip.width() * channels;
-  // Far outside, only border texels are read: any window there is the same.
-  const int x0 =
-      std::clamp(strip.x0 + split_x.whole, -2 * kStripWidth, history.width + kStripWidth);
-  const int y0 =
-      std::clamp(strip.y0 + split_y.whole, -2 * kStripHeight, history.height + kStripHeight);
-
   PrefetchNextStrip(job, strip, x0, y0);
   alignas(64) float window[kWindowHeight * kWindowStride];
   alignas(64) float sums[kStripHeight * kSumStride];
@@ -129,24 +159,42 @@ HWY_INLINE void UniformStrip(const WarpJob& job, const TileRect& strip, const Mo
                window + y * kWindowStride);
   }
   if (channels == 1) {
-    SumRows<1>(weights.data(), window, count, sums);
+    SumRows<1>(weights.data(), {window, kWindowStride}, count, {sums, kSumStride});
   } else {
-    SumRows<4>(weights.data(), window, count, sums);
+    SumRows<4>(weights.data(), {window, kWindowStride}, count, {sums, kSumStride});
   }
   for (int y = 0; y < strip.height(); ++y) {
     StoreChannels(history.format, sums + y * kSumStride, count, job.out.At(strip.x0, strip.y0 + y));
   }
 }
 
-void Uniform(const WarpJob& job, const TileRect& pixels, float mx, float my) {
+inline void Uniform(const WarpJob& job, const TileRect& pixels, float mx, float my) {
   const MotionSplit split_x = SplitMotion(mx);
   const MotionSplit split_y = SplitMotion(my);
   const Weights<float> weights = FilterWeights(job.options, split_x.offset, split_y.offset);
+  const ImageView& history = job.history;
+  // Far outside, only border texels are read: any window there is the same.
+  const auto first_x = [&](int x) {
+    return std::clamp(x + split_x.whole, -2 * kStripWidth, history.width + kStripWidth);
+  };
   for (int y = pixels.y0; y < pixels.y1; y += kStripHeight) {
-    for (int x = pixels.x0; x < pixels.x1; x += kStripWidth) {
-      const TileRect strip = {x, y, std::min(x + kStripWidth, pixels.x1),
-                              std::min(y + kStripHeight, pixels.y1)};
-      UniformStrip(job, strip, split_x, split_y, weights);
+    const int y0 = std::clamp(y + split_y.whole, -2 * kStripHeight, history.height + kStripHeight);
+    for (int x = pixels.x0; x < pixels.x1;) {
+      const TileRect rest = {x, y, pixels.x1, std::min(y + kStripHeight, pixels.y1)};
+      const int direct = DirectPixels(job, rest, first_x(x), y0);
+      if (direct > 0) {
+        if (Channels(history.format) == 1) {
+          DirectStrip<1>(job, rest, first_x(x), y0, direct, weights);
+        } else {
+          DirectStrip<4>(job, rest, first_x(x), y0, direct, weights);
+        }
+        x += direct;
+        continue;
+      }
+      TileRect strip = rest;
+      strip.x1 = std::min(x + kStripWidth, pixels.x1);
+      ConvertedStrip(job, strip, first_x(x), y0, weights);
+      x = strip.x1;
     }
   }
 }

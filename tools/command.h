@@ -36,12 +36,16 @@ void AddDatasetCommand(CLI::App& app, CommandRun* run);
 void AddTrainCommand(CLI::App& app, CommandRun* run);
 void AddBakeCommand(CLI::App& app, CommandRun* run);
 void AddEvalCommand(CLI::App& app, CommandRun* run);
+void AddCalibrateCommand(CLI::App& app, CommandRun* run);
+void AddCrossCommand(CLI::App& app, CommandRun* run);
+void AddRunCommand(CLI::App& app, CommandRun* run);
 void AddCompareCommand(CLI::App& app, CommandRun* run);
 void AddBenchCommand(CLI::App& app, CommandRun* run);
 
 // The subcommands in the order of the data flow.
-inline constexpr CommandAdder kCommands[] = {AddDatasetCommand, AddTrainCommand,   AddBakeCommand,
-                                             AddEvalCommand,    AddCompareCommand, AddBenchCommand};
+inline constexpr CommandAdder kCommands[] = {
+    AddDatasetCommand,   AddTrainCommand, AddBakeCommand,    AddEvalCommand, AddCrossCommand,
+    AddCalibrateCommand, AddRunCommand,   AddCompareCommand, AddBenchCommand};
 
 // Adds the option `--json` that every command has.
 void AddJsonOption(CLI::App& command, bool* json);

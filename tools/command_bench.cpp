@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "tools/bench/generation_benchmark.h"
+#include "tools/bench/sr_benchmark.h"
 #include "tools/bench/ssim_benchmark.h"
 #include "tools/bench/warp_benchmark.h"
 #include "tools/command.h"
@@ -80,6 +82,94 @@ ExitCode RunBenchSsim(const BenchSsimArguments& arguments) {
   return b.mpixels >= kSsimTargetMpixels ? ExitCode::kDone : ExitCode::kMissed;
 }
 
+ExitCode RunBenchSr(const SrBenchmarkOptions& options, bool json) {
+  std::string why;
+  RequireUsage(options.IsValid(&why), why);
+  const std::vector<SrBenchmarkRow> rows = RunSrBenchmark(options);
+  if (json) {
+    Json list = Json::array();
+    for (const SrBenchmarkRow& row : rows) {
+      list.push_back({{"output", {row.width, row.height}},
+                      {"motion", row.motion},
+                      {"variant", row.variant},
+                      {"frame_ms", ToJson(row.process)},
+                      {"warp_ms", ToJson(row.warp)},
+                      {"ratio", ToJson(row.ratio)},
+                      {"target", row.target},
+                      {"met", row.met()},
+                      {"differing_share", row.flipped},
+                      {"memory_images", row.memory}});
+    }
+    PrintJson({{"rows", list}});
+  } else {
+    Print(FormatTable(rows));
+  }
+  const bool met =
+      std::all_of(rows.begin(), rows.end(), [](const SrBenchmarkRow& row) { return row.met(); });
+  return met ? ExitCode::kDone : ExitCode::kMissed;
+}
+
+ExitCode RunBenchGeneration(const GenerationBenchmarkOptions& options, bool json) {
+  std::string why;
+  RequireUsage(options.IsValid(&why), why);
+  const std::vector<GenerationBenchmarkRow> rows = RunGenerationBenchmark(options);
+  if (json) {
+    Json list = Json::array();
+    for (const GenerationBenchmarkRow& row : rows) {
+      list.push_back({{"size", {row.width, row.height}},
+                      {"format", Name(row.format)},
+                      {"motion", row.motion},
+                      {"interpolates", row.interpolates},
+                      {"frame_ms", ToJson(row.frame)},
+                      {"warp_ms", ToJson(row.warp)},
+                      {"ratio", ToJson(row.ratio)},
+                      {"forward_ms", ToJson(row.forward)},
+                      {"splat_ms", ToJson(row.splat)},
+                      {"target_motion_ms", ToJson(row.target_motion)},
+                      {"blend_ms", ToJson(row.blend)},
+                      {"target", row.target},
+                      {"met", row.met()},
+                      {"memory_images", row.memory}});
+    }
+    PrintJson({{"rows", list}});
+  } else {
+    Print(FormatTable(rows));
+  }
+  const bool met = std::all_of(rows.begin(), rows.end(),
+                               [](const GenerationBenchmarkRow& row) { return row.met(); });
+  return met ? ExitCode::kDone : ExitCode::kMissed;
+}
+
+void AddBenchGeneration(CLI::App& bench, CommandRun* run) {
+  const auto options = std::make_shared<GenerationBenchmarkOptions>();
+  const auto json = std::make_shared<bool>(false);
+  CLI::App* command = bench.add_subcommand(
+      "generation",
+      "Time frame generation against one warp, on one thread; each result is checked first");
+  command->add_option("--repeats", options->repeats, "Timed frames of each row")
+      ->capture_default_str();
+  AddJsonOption(*command, json.get());
+  command->callback([options, json, run] {
+    *run = [options, json] { return RunBenchGeneration(*options, *json); };
+  });
+}
+
+void AddBenchSr(CLI::App& bench, CommandRun* run) {
+  const auto options = std::make_shared<SrBenchmarkOptions>();
+  const auto json = std::make_shared<bool>(false);
+  CLI::App* command = bench.add_subcommand(
+      "sr",
+      "Time super resolution against the warp of its history, on one thread; each result is "
+      "checked first");
+  command->add_option("--scale", options->scale, "Upscale factor, output / render")
+      ->capture_default_str();
+  command->add_option("--repeats", options->repeats, "Timed frames of each row")
+      ->capture_default_str();
+  AddJsonOption(*command, json.get());
+  command->callback(
+      [options, json, run] { *run = [options, json] { return RunBenchSr(*options, *json); }; });
+}
+
 }  // namespace
 
 void AddBenchCommand(CLI::App& app, CommandRun* run) {
@@ -118,6 +208,8 @@ void AddBenchCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   AddJsonOption(*command, &ssim->json);
   command->callback([ssim, run] { *run = [ssim] { return RunBenchSsim(*ssim); }; });
+  AddBenchGeneration(*bench, run);
+  AddBenchSr(*bench, run);
 }
 
 }  // namespace warplut

@@ -1,4 +1,4 @@
-// warplut eval: a LUT against other filters, under protocols of repeated warps.
+// warplut eval: a LUT against other filters, under protocols of repeated warps; or methods on sequences.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -12,6 +12,7 @@
 #include "datasets/luma.h"
 #include "luts/table_io.h"
 #include "tools/command.h"
+#include "tools/command_eval_sequence.h"
 #include "tools/eval_report.h"
 #include "tools/image_set.h"
 #include "tools/interrupt.h"
@@ -46,6 +47,7 @@ struct EvalArguments {
   std::string pictures;
   bool markdown = false;
   bool json = false;
+  SequenceEvalArguments sequence;  // what only sequences have
 };
 
 std::vector<Protocol> Protocols(const EvalArguments& arguments) {
@@ -122,7 +124,10 @@ void WritePictures(const EvalArguments& arguments, const std::vector<TrainImage>
   }
 }
 
-void CheckArguments(const EvalArguments& arguments) {
+void CheckImageArguments(const EvalArguments& arguments) {
+  RequireUsage(!arguments.images.empty(),
+               "there is nothing to judge; expected --images or --sequence");
+  RequireUsage(!arguments.lut.empty(), "--lut is required to judge a LUT on images");
   RequireUsage(
       arguments.crop == 0 || arguments.crop >= kProtocolMinSide,
       fmt::format("--crop is {}; expected 0 or at least {}.", arguments.crop, kProtocolMinSide));
@@ -137,16 +142,24 @@ void CheckArguments(const EvalArguments& arguments) {
   }
 }
 
-ExitCode RunEval(const EvalArguments& arguments) {
+// The arguments that images and sequences share, as those of sequences.
+SequenceEvalArguments SequencePart(const EvalArguments& arguments) {
+  SequenceEvalArguments part = arguments.sequence;
+  part.pipeline.lut = arguments.lut;
+  part.pipeline.lookup = arguments.lookup;
+  part.pipeline.threads = arguments.threads;
+  part.targets = arguments.targets;
+  part.pictures = arguments.pictures;
+  part.markdown = arguments.markdown;
+  part.json = arguments.json;
+  return part;
+}
+
+ExitCode RunImageEval(const EvalArguments& arguments) {
   try {
-    CheckArguments(arguments);
+    CheckImageArguments(arguments);
   } catch (const Error& wrong) {
     throw UsageError(wrong.what());
-  }
-  std::optional<tbb::global_control> limit;
-  if (arguments.threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(arguments.threads));
   }
   EvalReport report;
   report.lut = arguments.lut;
@@ -185,27 +198,36 @@ ExitCode RunEval(const EvalArguments& arguments) {
   return report.missed.empty() ? ExitCode::kDone : ExitCode::kMissed;
 }
 
+ExitCode RunEval(const EvalArguments& arguments) {
+  std::optional<tbb::global_control> limit;
+  if (arguments.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(arguments.threads));
+  }
+  return arguments.sequence.sequences.empty() ? RunImageEval(arguments)
+                                              : RunSequenceEval(SequencePart(arguments));
+}
+
 }  // namespace
 
 void AddEvalCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<EvalArguments>();
   EvalArguments& a = *arguments;
   CLI::App* command =
-      app.add_subcommand("eval", "Judge a LUT by repeated warps, against other filters");
-  command
-      ->add_option("--lut", a.lut,
-                   "A fit, a baked table (.json), or an .exr in the released layout")
-      ->required();
-  command
-      ->add_option("--images", a.images, "Images, folders of them, or sequences (their references)")
-      ->required();
+      app.add_subcommand("eval", "Judge a LUT by repeated warps, or methods on sequences");
+  command->add_option("--lut", a.lut,
+                      "A fit, a baked table (.json), or an .exr in the released layout");
+  CLI::Option* images = command->add_option(
+      "--images", a.images, "Images, folders of them, or sequences (their references)");
+  AddSequenceOptions(*command, &a.sequence)->excludes(images);
   command->add_option("--warps", a.warps, "How often to warp")
       ->delimiter(',')
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   command
-      ->add_option("--offsets", a.offsets,
-                   "half: by (1/2, 1/2) and back; random: any, back to the start; pan: one and the same")
+      ->add_option(
+          "--offsets", a.offsets,
+          "half: by (1/2, 1/2) and back; random: any, back to the start; pan: one and the same")
       ->delimiter(',')
       ->check(CLI::IsMember({Name(Offsets::kHalf), Name(Offsets::kRandom), Name(Offsets::kPan)}))
       ->capture_default_str();
@@ -230,11 +252,13 @@ void AddEvalCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   command->add_option("--seed", a.seed, "Of the random trajectories")->capture_default_str();
   command->add_option("--threads", a.threads, "Threads (default: all)")->check(CLI::Range(0, 1024));
-  command->add_option(
-      "--target", a.targets,
-      "FILTER,MARGIN[,half|random[,MAX_WARPS]]: the SSIM must exceed FILTER's by more than MARGIN");
+  command->add_option("--target", a.targets,
+                      "FILTER,MARGIN[,half|random[,MAX_WARPS]]: the SSIM must exceed FILTER's by "
+                      "more than MARGIN; on "
+                      "sequences METHOD,PSNR,SSIM: what it must reach");
   command->add_option("--pictures", a.pictures,
-                      "Folder for pictures: original, Catmull-Rom and the LUT after 24 warps");
+                      "Folder for pictures: original, Catmull-Rom and the LUT after 24 warps; on "
+                      "sequences the reference and all methods where they err most");
   CLI::Option* markdown =
       command->add_flag("--markdown", a.markdown, "Print the table as Markdown");
   AddJsonOption(*command, &a.json);

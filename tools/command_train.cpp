@@ -25,7 +25,7 @@ struct TrainArguments {
   std::vector<std::string> data;
   std::string out;
   std::string name;
-  std::string objective = "warp";
+  std::string objective = Name(TrainObjective::kWarp);
   std::string optimizer = Name(Optimizer::kLbfgs);
   bool json = false;
 };
@@ -69,6 +69,7 @@ Json ToJson(const Fit& fit, const std::string& out) {
   return {{"fit", out},
           {"name", fit.name},
           {"scale", fit.scale},
+          {"objective", fit.objective},
           {"images", fit.data.size()},
           {"seconds", last.seconds},
           {"evaluations", last.evaluations},
@@ -92,6 +93,8 @@ ExitCode RunTrain(TrainArguments arguments) {
   TrainOptions& options = arguments.options;
   const fs::path out = arguments.out;
   const std::string name = arguments.name.empty() ? out.stem().string() : arguments.name;
+  options.objective = arguments.objective == Name(TrainObjective::kSr) ? TrainObjective::kSr
+                                                                       : TrainObjective::kWarp;
   options.optimizer =
       arguments.optimizer == Name(Optimizer::kAdam) ? Optimizer::kAdam : Optimizer::kLbfgs;
   options.checkpoint = out.string() + ".checkpoint";
@@ -153,9 +156,18 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
                       "Identifier of the LUT (default: the stem of --out)");
   command->add_option("--scale", options.scale, "Upscale factor, output / render, in [1, 4]")
       ->capture_default_str();
-  command->add_option("--objective", arguments->objective, "What is minimised")
-      ->check(CLI::IsMember({"warp"}))
+  command
+      ->add_option(
+          "--objective", arguments->objective,
+          "What is minimised: the loss of repeated warps, or of the loop of super resolution")
+      ->check(CLI::IsMember({Name(TrainObjective::kWarp), Name(TrainObjective::kSr)}))
       ->capture_default_str();
+  command->add_option("--blend-a", options.blend_a,
+                      "Share of a sample on the pixel centre, with --objective sr (default: the "
+                      "pipeline's)");
+  command->add_option("--blend-b", options.blend_b,
+                      "How fast it falls with the distance, with --objective sr (default: the "
+                      "pipeline's)");
   command
       ->add_option("--horizons", options.horizons,
                    "Even numbers of warps, ascending (default: by scale)")
@@ -165,10 +177,10 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   command->add_option("--gain-bound", options.gain_bound,
                       "Largest gain of any node (default: by horizons)");
-  command
-      ->add_option("--pan-share", options.pan_share,
-                   "Share of constant motion in the objective, in [0, 1)")
-      ->capture_default_str();
+  command->add_option("--pan-share", options.pan_share,
+                      fmt::format("Share of constant motion in the objective, in [0, 1) (default: "
+                                  "0, or {} with --objective sr)",
+                                  kSrPanShare));
   command->add_option("--crops", options.crops,
                       "Number of crops to train on (default: the trainer's)");
   command->add_option("--stages", options.stages, "Of the training")->capture_default_str();

@@ -43,10 +43,10 @@ ProtocolFilter RuntimeFilter(const std::string& name, const WarpOptions& options
           }};
 }
 
-ProtocolFilter NamedFilter(const std::string& name) {
+std::optional<WarpOptions> NamedWarp(const std::string& name) {
   for (const FilterInfo& info : kFilters) {
     if (!info.needs_a && !info.needs_table && name == info.name) {
-      return RuntimeFilter(name, {.filter = info.filter});
+      return WarpOptions{.filter = info.filter};
     }
   }
   if (name.starts_with(kKeysPrefix)) {
@@ -55,9 +55,14 @@ ProtocolFilter NamedFilter(const std::string& name) {
     const auto [end, error] =
         std::from_chars(text.data(), text.data() + text.size(), options.keys_a);
     if (error == std::errc() && end == text.data() + text.size() && options.IsValid(nullptr)) {
-      return RuntimeFilter(name, options);
+      return options;
     }
   }
+  return std::nullopt;
+}
+
+ProtocolFilter NamedFilter(const std::string& name) {
+  if (const auto options = NamedWarp(name)) return RuntimeFilter(name, *options);
   throw Error(
       fmt::format("'{}' is not a filter; expected bilinear, catmull-rom, best-keys or keys:A with "
                   "A in [-1, 0].",

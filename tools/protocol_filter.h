@@ -1,6 +1,7 @@
 // The runtime's filters, as the protocols take them.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "runtime/warp.h"
@@ -11,8 +12,10 @@ namespace warplut {
 // A filter that warps with the runtime's Warp in float, with these options (valid; a table outlives the filter).
 ProtocolFilter RuntimeFilter(const std::string& name, const WarpOptions& options);
 
-// A filter named on a command line: "bilinear", "catmull-rom" or "keys:A" with A in [-1, 0]. An
-// Error names what else was found.
+// The options of a filter named on a command line: "bilinear", "catmull-rom" or "keys:A" with A in [-1, 0]; nothing else has any.
+std::optional<WarpOptions> NamedWarp(const std::string& name);
+
+// NamedWarp as a protocol takes it. An Error names what else was found.
 ProtocolFilter NamedFilter(const std::string& name);
 
 // "keys:-0.5800"

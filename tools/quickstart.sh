@@ -92,7 +92,7 @@ judge() { # judge TABLE IMAGES...
   shift
   code=0
   "$warplut" eval --lut "$out/baked/$name.json" --images "$@" --pictures "$out/pictures" \
-    --target keys:-0.58,0 --target best-keys,0.002,random,24 --markdown > "$out/tables/$table.part" || code=$?
+    --target keys:-0.58,0,half --target keys:-0.58,0,random --target best-keys,0.002,random,24 --markdown > "$out/tables/$table.part" || code=$?
   case $code in
     0 | 3) mv "$out/tables/$table.part" "$out/tables/$table.md" ;;
     *) exit "$code" ;;

@@ -48,15 +48,4 @@ double GainPenalty::AddGradient(const CanonicalWeights<double>& weights, double 
   return total;
 }
 
-double GainPenalty::MaxGain(const CanonicalWeights<double>& weights) const {
-  double largest = 0;
-  for (const Weights<double>& node : weights) {
-    const Eigen::Map<const Column> w(node.data());
-    const double square =
-        ((cosine_ * w).array().square() + (sine_ * w).array().square()).maxCoeff();
-    largest = std::max(largest, square);
-  }
-  return std::sqrt(largest);
-}
-
 }  // namespace warplut

@@ -21,11 +21,6 @@ class GainPenalty {
   double AddGradient(const CanonicalWeights<double>& weights, double factor,
                      CanonicalWeights<double>& gradient) const;
 
-  // The largest |H| over canonical nodes and the frequency grid.
-  double MaxGain(const CanonicalWeights<double>& weights) const;
-
-  double bound() const { return bound_; }
-
  private:
   double bound_;
   Eigen::Matrix<double, Eigen::Dynamic, kWeights> cosine_, sine_;  // one row per frequency

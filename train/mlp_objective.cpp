@@ -10,7 +10,7 @@ double MlpObjective::Evaluate(const double* parameters, double* gradient) {
   ++evaluations_;
   const CanonicalWeights<double>& weights = head_.Forward(parameters);
   CanonicalWeights<double> weight_gradient{};
-  double value = warp_.Evaluate(weights, gradient != nullptr ? &weight_gradient : nullptr);
+  double value = objective_.Evaluate(weights, gradient != nullptr ? &weight_gradient : nullptr);
   value += penalty_factor_ * penalty_.AddGradient(weights, penalty_factor_, weight_gradient);
   if (gradient != nullptr) head_.Backward(parameters, weight_gradient, gradient);
   return value;

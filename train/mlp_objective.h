@@ -1,4 +1,4 @@
-// What the optimizers minimise: objective `warp` and the bound on gain, as a function of the MLP's
+// What the optimizers minimise: an objective and the bound on gain, as a function of the MLP's
 // parameters.
 //
 //   J(theta) = L(w(theta)) + f P(w(theta)), f the factor of the penalty
@@ -10,31 +10,28 @@
 
 #include "train/gain_penalty.h"
 #include "train/head_batch.h"
-#include "train/warp_objective.h"
+#include "train/objective.h"
 
 namespace warplut {
 
-// The factor of the penalty by which weights are finally judged: high enough that what is left above the bound is of
-// the order of 1e-4.
+// The factor of the penalty by which weights are finally judged: high enough that what is left
+// above the bound is of the order of 1e-4.
 inline constexpr double kGainPenaltyFactor = 20.0;
 
 class MlpObjective {
  public:
-  // `warp` must outlive this.
-  MlpObjective(const WarpObjective& warp, double gain_bound, double penalty_factor)
-      : warp_(warp), penalty_(gain_bound), penalty_factor_(penalty_factor) {}
+  // `objective` must outlive this.
+  MlpObjective(const Objective& objective, double gain_bound, double penalty_factor)
+      : objective_(objective), penalty_(gain_bound), penalty_factor_(penalty_factor) {}
 
   // J(parameters), and its gradient where `gradient` is not null; kMlpParameters values each.
   // Counts evaluations.
   double Evaluate(const double* parameters, double* gradient);
 
-  const CanonicalWeights<double>& WeightsOf(const double* parameters) {
-    return head_.Forward(parameters);
-  }
   std::int64_t evaluations() const { return evaluations_; }
 
  private:
-  const WarpObjective& warp_;
+  const Objective& objective_;
   GainPenalty penalty_;
   double penalty_factor_;
   HeadBatch head_;
@@ -42,7 +39,8 @@ class MlpObjective {
 };
 
 // Random starting parameters: layers uniform with variance 2 / (in + out) (Glorot and Bengio 2010),
-// the last one scaled by kLastLayerScale so that the start lies near the head's base kernel; biases 0.
+// the last one scaled by kLastLayerScale so that the start lies near the head's base kernel; biases
+// 0.
 std::vector<double> RandomParameters(std::uint64_t seed);
 
 inline constexpr double kLastLayerScale = 0.1;

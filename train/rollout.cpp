@@ -42,40 +42,52 @@ PlaneView InnerView(const BorderedPlane& plane) {
           plane.stride()};
 }
 
-RolloutWorkspace::RolloutWorkspace(int width, int height, int max_warps)
-    : planes_(max_warps, BorderedPlane(width, height)),
-      gradient_(width, height),
-      next_gradient_(width, height) {}
+void RolloutWorkspace::Reserve(std::size_t steps, bool with_samples) {
+  const BorderedPlane empty(gradient_.width(), gradient_.height());
+  if (planes_.size() < steps) planes_.resize(steps, empty);
+  if (with_samples && warped_.size() < steps) warped_.resize(steps, empty);
+}
 
-void RolloutWorkspace::Forward(const BorderedPlane& image, const Ssim& ssim,
-                               std::span<const RolloutStep> steps, std::span<const int> horizons,
-                               const CanonicalWeights<double>& weights, std::span<double> losses) {
+void RolloutWorkspace::Forward(const Rollout& rollout, const CanonicalWeights<double>& weights,
+                               std::span<double> losses) {
+  const bool with_samples = !rollout.frames.empty();
+  Reserve(rollout.steps.size(), with_samples);
   std::size_t h = 0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    ApplyStencil(ToStencil(steps[i], weights), i == 0 ? image : planes_[i - 1], planes_[i]);
-    if (h < horizons.size() && static_cast<int>(i) + 1 == horizons[h]) {
-      losses[h++] = 1.0 - ssim.Mean(InnerView(planes_[i]));
+  for (std::size_t i = 0; i < rollout.steps.size(); ++i) {
+    const BorderedPlane& in = i == 0 ? *rollout.start : planes_[i - 1];
+    const Stencil stencil = ToStencil(rollout.steps[i], weights);
+    if (with_samples) {
+      ApplyStencil(stencil, in, warped_[i]);
+      const FrameSamples& frame = rollout.frames[i];
+      frame.grid->Refresh(frame.values, warped_[i], planes_[i]);
+      FillBorder(planes_[i]);
+    } else {
+      ApplyStencil(stencil, in, planes_[i]);
+    }
+    if (h < rollout.horizons.size() && static_cast<int>(i) + 1 == rollout.horizons[h]) {
+      losses[h++] = 1.0 - rollout.ssim->Mean(InnerView(planes_[i]));
     }
   }
 }
 
-void RolloutWorkspace::Backward(const BorderedPlane& image, const Ssim& ssim,
-                                std::span<const RolloutStep> steps, std::span<const int> horizons,
-                                std::span<const double> factors,
+void RolloutWorkspace::Backward(const Rollout& rollout, std::span<const double> factors,
                                 const CanonicalWeights<double>& weights,
                                 CanonicalWeights<double>& gradient) {
+  const bool with_samples = !rollout.frames.empty();
   gradient_.Clear();
-  std::size_t h = horizons.size();
-  for (std::size_t i = steps.size(); i-- > 0;) {
-    if (h > 0 && horizons[h - 1] == static_cast<int>(i) + 1) {
+  std::size_t h = rollout.horizons.size();
+  for (std::size_t i = rollout.steps.size(); i-- > 0;) {
+    if (h > 0 && rollout.horizons[h - 1] == static_cast<int>(i) + 1) {
       --h;
-      ssim.MeanAndGradient(InnerView(planes_[i]), static_cast<float>(-factors[h]),
-                           gradient_.row(kInner) + kInner, gradient_.stride());
+      rollout.ssim->MeanAndGradient(InnerView(planes_[i]), static_cast<float>(-factors[h]),
+                                    gradient_.row(kInner) + kInner, gradient_.stride());
     }
-    const RolloutStep& step = steps[i];
+    if (with_samples) rollout.frames[i].grid->AdjointRefresh(gradient_);
+    const RolloutStep& step = rollout.steps[i];
     Weights<double> step_gradient{};
-    AdjointStencil(ToStencil(step, weights), i == 0 ? image : planes_[i - 1], planes_[i], gradient_,
-                   next_gradient_, step_gradient);
+    AdjointStencil(ToStencil(step, weights), i == 0 ? *rollout.start : planes_[i - 1],
+                   with_samples ? warped_[i] : planes_[i], gradient_, next_gradient_,
+                   step_gradient);
     std::swap(gradient_, next_gradient_);
     Weights<double>& canonical = gradient[step.node.index];
     for (int k = 0; k < kWeights; ++k) {

@@ -1,11 +1,12 @@
-// A rollout: one image warped repeatedly along a trajectory, judged by SSIM at each horizon, with
-// the adjoint.
+// A rollout: one image warped repeatedly along a trajectory, with or without new samples after each
+// warp, judged by SSIM at each horizon, with the adjoint.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "train/canonical_nodes.h"
+#include "train/sample_grid.h"
 #include "train/ssim.h"
 #include "train/stencil.h"
 #include "train/trajectory.h"
@@ -32,25 +33,41 @@ inline constexpr int kRolloutMargin = 12;
 // The image without its margin.
 PlaneView InnerView(const BorderedPlane& plane);
 
+// The new samples of one step; `grid` is shared by the steps of one jitter phase.
+struct FrameSamples {
+  const SampleGrid* grid = nullptr;
+  std::vector<float> values;
+};
+
+struct Rollout {
+  const BorderedPlane* start = nullptr;  // border filled
+  const Ssim* ssim = nullptr;            // against the InnerView of what is expected
+  std::vector<RolloutStep> steps;
+  std::vector<int> horizons;         // numbers of steps, ascending, at most steps.size()
+  std::vector<FrameSamples> frames;  // one for each step, or none
+};
+
 // Buffers for rollouts of one image size; one object serves one thread at a time.
 class RolloutWorkspace {
  public:
-  RolloutWorkspace(int width, int height, int max_warps);
+  RolloutWorkspace(int width, int height)
+      : gradient_(width, height), next_gradient_(width, height) {}
 
-  // Warps `image` (border filled) along `steps`. losses[h] receives 1 - SSIM after horizons[h]
-  // warps, against what `ssim` was made with (InnerView of the image).
-  void Forward(const BorderedPlane& image, const Ssim& ssim, std::span<const RolloutStep> steps,
-               std::span<const int> horizons, const CanonicalWeights<double>& weights,
+  // Each step warps the image and refreshes it with the step's samples, if it has any. losses[h]
+  // receives 1 - SSIM after horizons[h] steps.
+  void Forward(const Rollout& rollout, const CanonicalWeights<double>& weights,
                std::span<double> losses);
 
   // After Forward with the same arguments: adds to `gradient` the derivative of the sum of
   // factors[h] * losses[h] with respect to the weights.
-  void Backward(const BorderedPlane& image, const Ssim& ssim, std::span<const RolloutStep> steps,
-                std::span<const int> horizons, std::span<const double> factors,
+  void Backward(const Rollout& rollout, std::span<const double> factors,
                 const CanonicalWeights<double>& weights, CanonicalWeights<double>& gradient);
 
  private:
-  std::vector<BorderedPlane> planes_;  // planes_[i] is the image after i + 1 warps
+  void Reserve(std::size_t steps, bool with_samples);
+
+  std::vector<BorderedPlane> planes_;  // planes_[i] is the image after i + 1 steps
+  std::vector<BorderedPlane> warped_;  // with samples: the same before they enter
   BorderedPlane gradient_;
   BorderedPlane next_gradient_;
 };

@@ -1,13 +1,11 @@
 // Streams over the map row by row. With u = x - 1/2, v = y - 1/2 (variances do not change, and lose
-// less to cancellation), row r needs the vertical sums of u, u^2 and u v over image rows r .. r +
-// 10, then the horizontal ones. The gradient is the transposed filter of three maps: with S = A1 A2
-// / (B1 B2),
+// less to cancellation), row r needs the vertical sums of u, u^2 and u v over image rows r to
+// r + 10, then the horizontal ones. The gradient is the transposed filter of three maps: with
+// S = A1 A2 / (B1 B2),
 //   dS/dE[u^2] = -S / B2
 //   dS/dE[u v] = 2 A1 / (B1 B2)
-//   dS/dmean   = 2 (my (A2 - A1) / (B1 B2) + mx S (1 / B2 - 1 / B1))   (means of x and y for A1 and
-//   B1,
-//                                                                       of u and v in the
-//                                                                       variances)
+//   dS/dmean   = 2 (my (A2 - A1) / (B1 B2) + mx S (1 / B2 - 1 / B1))
+// where the means are those of x and y in A1 and B1, and of u and v in the variances.
 // Rings of 11 rows keep both passes in cache.
 #include "train/ssim.h"
 

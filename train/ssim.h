@@ -1,8 +1,8 @@
-// SSIM of single-channel float images: 11 x 11 Gaussian window of sigma 1.5, valid region, C1 =
-// 0.01^2, C2 = 0.03^2 for values in [0, 1]. Source: Wang, Bovik, Sheikh, Simoncelli 2004.
+// SSIM of single-channel float images: 11 x 11 Gaussian window of sigma 1.5, valid region,
+// C1 = 0.01^2, C2 = 0.03^2 for values in [0, 1]. Source: Wang, Bovik, Sheikh, Simoncelli 2004.
 //
-// A pixel of the SSIM map needs the whole window inside the image: the map of a W x H image is (W -
-// 10) x (H - 10).
+// A pixel of the SSIM map needs the whole window inside the image: the map of a W x H image is
+// (W - 10) x (H - 10).
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ inline constexpr double kSsimSigma = 1.5;
 inline constexpr double kSsimC1 = 0.01 * 0.01;
 inline constexpr double kSsimC2 = 0.03 * 0.03;
 
-// The largest difference between Ssim and SsimReference for values in [0, 1]: float against double
-// sums.
+// The largest difference between Ssim and SsimReference for values in [0, 1]: float sums against
+// double ones.
 inline constexpr double kSsimAccuracy = 2e-6;
 
 // The window in one axis; sums to 1.
@@ -37,8 +37,8 @@ double SsimReference(const PlaneView& x, const PlaneView& y);
 
 struct SsimRows;
 
-// Fast SSIM against a fixed reference image, with the gradient. One object serves one thread at a
-// time.
+// Fast SSIM against a fixed reference image, with the gradient. Immutable: it serves any number of
+// threads.
 class Ssim {
  public:
   // Copies what it needs of y.

@@ -8,8 +8,8 @@
 
 namespace warplut {
 
-// A square-free plane with a border of kBorder pixels on every side, all rows of one stride. Pixel
-// (x, y), also of the border, is at origin()[y * stride() + x].
+// A plane with a border of kBorder pixels on every side, all rows of one stride. Pixel (x, y), also
+// of the border, is at origin()[y * stride() + x].
 class BorderedPlane {
  public:
   static constexpr int kBorder = 4;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "luts/certificate.h"
+#include "runtime/parameters.h"
 
 namespace warplut {
 namespace {
@@ -17,6 +18,9 @@ bool Refuse(std::string* why, std::string sentence) {
   if (why != nullptr) *why = std::move(sentence);
   return false;
 }
+
+// The decimal number that a float's shortest text stands for, so that a record shows 0.7.
+double Decimal(float value) { return std::stod(fmt::format("{}", value)); }
 
 int Even(double warps) { return std::max(2, 2 * static_cast<int>(std::lround(warps / 2))); }
 
@@ -35,6 +39,13 @@ bool TrainOptions::IsValid(std::string* why) const {
     }
     last = horizon;
   }
+  if (objective != TrainObjective::kSr && (blend_a || blend_b)) {
+    return Refuse(why, "blend_a or blend_b is set; expected them with objective sr alone.");
+  }
+  Parameters blend;
+  if (blend_a) blend.blend_a = static_cast<float>(*blend_a);
+  if (blend_b) blend.blend_b = static_cast<float>(*blend_b);
+  if (!blend.IsValid(why)) return false;
   if (threads < 0) return Refuse(why, fmt::format("threads is {}; expected 0 or more.", threads));
   if (!(max_seconds >= 0)) {
     return Refuse(why, fmt::format("max_seconds is {}; expected 0 or more.", max_seconds));
@@ -46,8 +57,8 @@ bool TrainOptions::IsValid(std::string* why) const {
   if (gain_bound != 0 && !(gain_bound >= 1 && gain_bound <= 2)) {
     return Refuse(why, fmt::format("gain_bound is {}; expected a number in [1, 2].", gain_bound));
   }
-  if (!(pan_share >= 0 && pan_share < 1)) {
-    return Refuse(why, fmt::format("pan_share is {}; expected a number in [0, 1).", pan_share));
+  if (pan_share && !(*pan_share >= 0 && *pan_share < 1)) {
+    return Refuse(why, fmt::format("pan_share is {}; expected a number in [0, 1).", *pan_share));
   }
   if (crops < 0) return Refuse(why, fmt::format("crops is {}; expected 0 or more.", crops));
   if (resume && checkpoint.empty()) {
@@ -65,21 +76,32 @@ TrainOptions TrainOptions::Resolved() const {
         optimizer == Optimizer::kAdam ? kDefaultAdamIterations : kDefaultLbfgsIterations;
   }
   if (gain_bound == 0) resolved.gain_bound = DefaultGainBound(longest);
+  const bool sr = objective == TrainObjective::kSr;
+  resolved.pan_share = pan_share.value_or(sr ? kSrPanShare : 0.0);
+  if (sr) {
+    resolved.blend_a = blend_a.value_or(Decimal(Parameters().blend_a));
+    resolved.blend_b = blend_b.value_or(Decimal(Parameters().blend_b));
+  }
   if (crops == 0) resolved.crops = std::max(kFewestCrops, kDefaultCropWarps / longest);
   return resolved;
 }
 
 std::string TrainOptions::Json() const {
-  const nlohmann::ordered_json json = {{"scale", scale},
-                                       {"horizons", horizons},
-                                       {"optimizer", Name(optimizer)},
-                                       {"seed", seed},
-                                       {"stages", stages},
-                                       {"iterations", iterations},
-                                       {"gain_bound", gain_bound},
-                                       {"pan_share", pan_share},
-                                       {"crops", crops},
-                                       {"max_seconds", max_seconds}};
+  nlohmann::ordered_json json = {{"scale", scale},
+                                 {"horizons", horizons},
+                                 {"optimizer", Name(optimizer)},
+                                 {"seed", seed},
+                                 {"stages", stages},
+                                 {"iterations", iterations},
+                                 {"gain_bound", gain_bound},
+                                 {"pan_share", *pan_share},
+                                 {"crops", crops},
+                                 {"max_seconds", max_seconds}};
+  if (objective == TrainObjective::kSr) {
+    json["objective"] = Name(objective);
+    json["blend_a"] = *blend_a;
+    json["blend_b"] = *blend_b;
+  }
   return json.dump();
 }
 

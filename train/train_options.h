@@ -3,10 +3,21 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "luts/fit.h"
+
 namespace warplut {
+
+// What is minimised: repeated warps alone (warp_objective.h), or warps in the accumulation loop of
+// super resolution (sr_objective.h).
+enum class TrainObjective : std::uint8_t { kWarp, kSr };
+
+constexpr const char* Name(TrainObjective objective) {
+  return objective == TrainObjective::kWarp ? "warp" : "sr";
+}
 
 enum class Optimizer : std::uint8_t { kLbfgs, kAdam };
 
@@ -14,18 +25,26 @@ constexpr const char* Name(Optimizer optimizer) {
   return optimizer == Optimizer::kLbfgs ? "lbfgs" : "adam";
 }
 
-inline constexpr int kMaxHorizon = 512;  // a half-pixel horizon is twice as long, and a fit records up to 1024
+// The longest half-pixel protocol is up to twice as long, and a fit must be able to record it.
+inline constexpr int kMaxHorizon = kMaxRecordedWarps / 2;
 inline constexpr int kDefaultStages = 5;
 inline constexpr int kDefaultLbfgsIterations = 40;  // per stage
 inline constexpr int kDefaultAdamIterations = 100;
+
+// The share of pans in objective `sr`.
+inline constexpr double kSrPanShare = 0.3;
 
 // The work of one evaluation: crops times the longest horizon. More crops generalise better and
 // take longer.
 inline constexpr int kDefaultCropWarps = 48 * 64;
 
 struct TrainOptions {
+  TrainObjective objective = TrainObjective::kWarp;
   double scale = 2;           // output / render, [1, 4]
   std::vector<int> horizons;  // even, ascending, at most kMaxHorizon; empty: DefaultHorizons(scale)
+  // a and b of objective `sr`, in the ranges of runtime/parameters.h; empty: the defaults there.
+  // Not for objective `warp`.
+  std::optional<double> blend_a, blend_b;
   Optimizer optimizer = Optimizer::kLbfgs;
   std::uint64_t seed = 1;
   int threads = 0;         // 0: all
@@ -33,8 +52,9 @@ struct TrainOptions {
   int stages = kDefaultStages;
   int iterations = 0;     // per stage; 0: the optimizer's default
   double gain_bound = 0;  // largest |H| of any node and frequency; 0: DefaultGainBound
-  double pan_share =
-      0;  // of pans in the objective, [0, 1): more keeps pans from drifting, see docs/TRAINING.md
+  // Of pans in the objective, [0, 1): more keeps pans from drifting, see docs/TRAINING.md. Empty:
+  // 0, or kSrPanShare with objective `sr`.
+  std::optional<double> pan_share;
   int crops = 0;                     // 0: kDefaultCropWarps / longest horizon, at least 16
   std::filesystem::path checkpoint;  // empty: none; written after each stage, removed at the end
   bool resume = false;               // from `checkpoint`
@@ -44,7 +64,7 @@ struct TrainOptions {
   // The same with every 0 and empty list replaced by the default that it stands for.
   TrainOptions Resolved() const;
 
-  // What decides the result, as a JSON object on one line.
+  // What decides the result, as a JSON object on one line. Of resolved options.
   std::string Json() const;
 };
 
@@ -53,8 +73,8 @@ struct TrainOptions {
 // factor 2.
 std::vector<int> DefaultHorizons(double scale);
 
-// The gain whose power at the longest horizon is kSafeGrowth (luts/certificate.h), less kGrowthReserve of its logarithm
-// for what the penalty lets through and what quantisation adds.
+// The gain whose power at the longest horizon is kSafeGrowth (luts/certificate.h), less
+// kGrowthReserve of its logarithm for what the penalty lets through and what quantisation adds.
 double DefaultGainBound(int longest_horizon);
 
 inline constexpr double kGrowthReserve = 0.1;

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "datasets/error.h"
 #include "datasets/hash.h"
@@ -15,8 +16,11 @@
 #include "luts/filters.h"
 #include "train/checkpoint.h"
 #include "train/crops.h"
+#include "train/keys_search.h"
 #include "train/minimize.h"
 #include "train/random.h"
+#include "train/sr_objective.h"
+#include "train/warp_objective.h"
 
 namespace warplut {
 namespace {
@@ -30,23 +34,11 @@ std::uint64_t Seed(const TrainOptions& options, SeedFor part, int index = 0) {
   return DeriveSeed(options.seed, static_cast<std::uint64_t>(part) + index);
 }
 
-std::vector<Image> CheckedLuma(const std::vector<TrainImage>& images) {
-  if (images.empty()) throw Error("There are no training images; expected at least one.");
-  std::vector<Image> luma;
-  luma.reserve(images.size());
-  for (const TrainImage& image : images) {
-    luma.push_back(Luma(image.image));
-    if (luma.back().width < kCropSize || luma.back().height < kCropSize) {
-      throw Error(fmt::format("{} is {} x {}; expected a training image of at least {} x {}.",
-                              image.record.name, luma.back().width, luma.back().height, kCropSize,
-                              kCropSize));
-    }
-  }
-  return luma;
-}
-
 // Pans per crop: in the training only where they count, in the validation always.
-constexpr int kTrainingPans = 2;
+int TrainingPans(const TrainOptions& options) {
+  if (!(*options.pan_share > 0)) return 0;
+  return options.objective == TrainObjective::kSr ? 4 : 2;
+}
 constexpr int kValidationPans = 4;
 
 // How a stage differs from the last one: fewer crops, and a smoother objective.
@@ -63,6 +55,20 @@ Stage MakeStage(const TrainOptions& options, int index) {
           kGainPenaltyFactor * softening};
 }
 
+// The objective of the options, resolved; `power` is for objective `warp` alone.
+std::unique_ptr<const Objective> MakeObjective(const TrainOptions& options,
+                                               std::vector<BorderedPlane> crops, std::uint64_t seed,
+                                               int pans_per_crop, double power,
+                                               const Objective* like) {
+  if (options.objective == TrainObjective::kSr) {
+    const SrObjectiveOptions sr{options.scale, *options.blend_a, *options.blend_b,
+                                *options.pan_share, pans_per_crop};
+    return std::make_unique<SrObjective>(std::move(crops), options.horizons, seed, sr, like);
+  }
+  const WarpObjectiveOptions warp{power, *options.pan_share, pans_per_crop};
+  return std::make_unique<WarpObjective>(std::move(crops), options.horizons, seed, warp, like);
+}
+
 class Training {
  public:
   Training(const TrainOptions& options, const std::vector<TrainImage>& images,
@@ -71,9 +77,10 @@ class Training {
         progress_(progress),
         luma_(CheckedLuma(images)),
         penalty_(options_.gain_bound),
-        validation_(DrawCrops(luma_, options_.crops / 3 + 1, Seed(options_, SeedFor::kValidation)),
-                    options_.horizons, Seed(options_, SeedFor::kValidation, 1),
-                    {kProtocolPower, options_.pan_share, kValidationPans}) {
+        validation_(MakeObjective(
+            options_,
+            DrawCrops(luma_, options_.crops / 3 + 1, Seed(options_, SeedFor::kValidation)),
+            Seed(options_, SeedFor::kValidation, 1), kValidationPans, kProtocolPower, nullptr)) {
     std::string identity = options_.Json();
     for (const TrainImage& image : images) identity += image.record.sha1;
     state_.made_for = Sha1(identity);
@@ -106,7 +113,7 @@ class Training {
   const TrainCallback& progress_;
   const std::vector<Image> luma_;
   const GainPenalty penalty_;
-  const WarpObjective validation_;
+  const std::unique_ptr<const Objective> validation_;
   HeadBatch head_;
   Checkpoint state_;
   Clock::time_point start_;
@@ -124,11 +131,11 @@ bool Training::Report(int iteration, std::int64_t evaluations, double loss) {
 
 bool Training::RunStage() {
   const Stage stage = MakeStage(options_, state_.stage);
-  const WarpObjective warp(
-      DrawCrops(luma_, stage.crops, Seed(options_, SeedFor::kStages, 2 * state_.stage)),
-      validation_, Seed(options_, SeedFor::kStages, 2 * state_.stage + 1),
-      {stage.power, options_.pan_share, options_.pan_share > 0 ? kTrainingPans : 0});
-  MlpObjective objective(warp, options_.gain_bound, stage.penalty_factor);
+  const auto stage_objective = MakeObjective(
+      options_, DrawCrops(luma_, stage.crops, Seed(options_, SeedFor::kStages, 2 * state_.stage)),
+      Seed(options_, SeedFor::kStages, 2 * state_.stage + 1), TrainingPans(options_), stage.power,
+      validation_.get());
+  MlpObjective objective(*stage_objective, options_.gain_bound, stage.penalty_factor);
   std::vector<double> parameters = state_.parameters;
   AdamState adam = state_.adam;
   int iteration = 0;
@@ -156,8 +163,8 @@ void Training::FinishStage(std::int64_t evaluations, double loss) {
   state_.evaluations += evaluations;
   const CanonicalWeights<double>& weights = head_.Forward(state_.parameters.data());
   CanonicalWeights<double> unused{};
-  const double validation =
-      validation_.Evaluate(weights) + kGainPenaltyFactor * penalty_.AddGradient(weights, 0, unused);
+  const double validation = validation_->Evaluate(weights) +
+                            kGainPenaltyFactor * penalty_.AddGradient(weights, 0, unused);
   state_.seconds = Seconds();
   state_.loss.push_back({state_.seconds, state_.evaluations, loss, validation});
   if (validation < state_.best_validation) {
@@ -170,6 +177,7 @@ void Training::FinishStage(std::int64_t evaluations, double loss) {
 Fit Training::MakeFit(const std::vector<TrainImage>& images) {
   Fit fit;
   fit.scale = options_.scale;
+  fit.objective = Name(options_.objective);
   fit.optimizer = Name(options_.optimizer);
   fit.horizons = options_.horizons;
   fit.gain_bound = options_.gain_bound;
@@ -180,11 +188,11 @@ Fit Training::MakeFit(const std::vector<TrainImage>& images) {
   for (const TrainImage& image : images) fit.data.push_back(image.record);
   if (fit.parameters.empty()) return fit;
 
-  fit.keys_a = FitKeys(validation_);
+  fit.keys_a = FitKeys(*validation_);
   const auto add = [&](const char* filter, const CanonicalWeights<double>& weights) {
-    const std::vector<double> losses = validation_.Losses(weights);
+    const std::vector<double> losses = validation_->Losses(weights);
     for (std::size_t i = 0; i < losses.size(); ++i) {
-      const Protocol& protocol = validation_.protocols()[i];
+      const Protocol& protocol = validation_->protocols()[i];
       fit.validation.push_back({filter, protocol.warps, Name(protocol.offsets), 1 - losses[i]});
     }
   };
@@ -195,6 +203,21 @@ Fit Training::MakeFit(const std::vector<TrainImage>& images) {
 }
 
 }  // namespace
+
+std::vector<Image> CheckedLuma(const std::vector<TrainImage>& images) {
+  if (images.empty()) throw Error("There are no training images; expected at least one.");
+  std::vector<Image> luma;
+  luma.reserve(images.size());
+  for (const TrainImage& image : images) {
+    luma.push_back(Luma(image.image));
+    if (luma.back().width < kCropSize || luma.back().height < kCropSize) {
+      throw Error(fmt::format("{} is {} x {}; expected a training image of at least {} x {}.",
+                              image.record.name, luma.back().width, luma.back().height, kCropSize,
+                              kCropSize));
+    }
+  }
+  return luma;
+}
 
 TrainResult Train(const TrainOptions& options, const std::vector<TrainImage>& images,
                   const TrainCallback& progress) {

@@ -1,9 +1,9 @@
-// Fits the MLP of resampling weights to images, objective `warp` (warp_objective.h).
+// Fits the MLP of resampling weights to images, by the objective that the options name.
 //
 // The training goes in stages. Each draws crops and trajectories anew, so that no stage can learn
-// its trajectories by heart, and starts the optimizer from where the last one ended; early stages have fewer crops and
-// a smoother objective. After each stage the fit is validated on crops that are drawn from other places and trajectories of their
-// own; the best stage is the result.
+// its trajectories by heart, and starts the optimizer from where the last one ended; early stages
+// have fewer crops and a smoother objective. After each stage the fit is validated on crops that
+// are drawn from other places and trajectories of their own; the best stage is the result.
 #pragma once
 
 #include <functional>
@@ -20,6 +20,9 @@ struct TrainImage {
   FitData record;
   Image image;
 };
+
+// The luma of the images. An Error if there are none, or names one that is smaller than a crop.
+std::vector<Image> CheckedLuma(const std::vector<TrainImage>& images);
 
 struct TrainProgress {
   double seconds = 0;

@@ -33,11 +33,13 @@ struct Displacement {
 
 // The displacements of horizons.back() warps.
 //   kHalf    (1/2, 1/2) and (-1/2, -1/2) in turn; every horizon must be even.
-//   kRandom  fractions uniform on the multiples of 1 / steps, but for the last warp before each horizon, which
-//            returns to the start. With steps = kNodes every offset is a node; a large one stands for any offset.
-//   kPan     one and the same fraction, that of a random node, at every warp: what a camera does that turns at constant
-//            speed. A filter that moves the image by a little more or less than asked drifts here, while random offsets
-//            hide it. Every horizon must be a multiple of kNodes, and steps too.
+//   kRandom  fractions uniform on the multiples of 1 / steps, but for the last warp before each
+//            horizon, which returns to the start. With steps = kNodes every offset is a node; a
+//            large one stands for any offset.
+//   kPan     one and the same fraction, that of a random node, at every warp: what a camera does
+//            that turns at constant speed. A filter that moves the image by a little more or less
+//            than asked drifts here, while random offsets hide it. Every horizon must be a multiple
+//            of kNodes, and steps too.
 // Horizons are ascending and at least 1. The same arguments give the same trajectory on every
 // machine.
 std::vector<Displacement> MakeTrajectory(Offsets offsets, std::span<const int> horizons, int steps,

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "datasets/error.h"
+#include "datasets/jitter.h"
 #include "datasets/scenes/builtin.h"
 #include "datasets/scenes/hash.h"
 #include "datasets/scenes/integrator.h"
@@ -25,15 +26,6 @@ constexpr double kNoMotion = 1e-6;
 constexpr int kSmallest = 8, kLargest = 16384;
 
 int RenderSize(int output, double scale) { return static_cast<int>(std::lround(output / scale)); }
-
-double Halton(int index, int base) {
-  double value = 0, digit = 1;
-  for (; index > 0; index /= base) {
-    digit /= base;
-    value += digit * (index % base);
-  }
-  return value;
-}
 
 // Sample `index` of the (0, 2)-sequence in [0, 1)^2, its digits flipped by the hash of the pixel.
 Vec2d SubPixel(std::uint32_t index, std::uint32_t pixel) {
@@ -177,14 +169,7 @@ double SceneRenderer::near_plane() const { return state_->world.near_plane; }
 double SceneRenderer::far_plane() const { return state_->world.far_plane; }
 Camera SceneRenderer::CameraAt(int frame) const { return state_->LensAt(frame).Matrices(); }
 
-std::vector<Vec2> SceneRenderer::Jitter() const {
-  const double scale = state_->options.scale;
-  const int count = static_cast<int>(8 * scale * scale);
-  std::vector<Vec2> offsets;
-  offsets.reserve(count);
-  for (int i = 1; i <= count; ++i) offsets.push_back({Halton(i, 2) - 0.5, Halton(i, 3) - 0.5});
-  return offsets;
-}
+std::vector<Vec2> SceneRenderer::Jitter() const { return JitterCycle(state_->options.scale); }
 
 std::vector<int> SceneRenderer::Cuts() const {
   std::vector<int> cuts;

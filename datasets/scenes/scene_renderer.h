@@ -67,8 +67,7 @@ class SceneRenderer {
   const RenderOptions& options() const;
   int render_width() const;
   int render_height() const;
-  // One jitter cycle, in pixels of the render grid: Halton (2, 3) minus 1/2, floor(8 scale^2)
-  // offsets, the rule of FSR 2. Frame f uses offset f modulo the length.
+  // One jitter cycle, JitterCycle(scale) of datasets/jitter.h. Frame f uses offset f modulo the length.
   std::vector<Vec2> Jitter() const;
   // Frames that share nothing with the one before.
   std::vector<int> Cuts() const;

@@ -2,16 +2,22 @@
 
 #include <gtest/gtest.h>
 
-#include "train/mlp_objective.h"
+#include "train/keys_search.h"
 
 namespace warplut {
 namespace {
 
-TEST(GainPenalty, KnowsTheGainsOfTheKeysFamily) {
-  const GainPenalty penalty(1.01);
-  EXPECT_NEAR(penalty.MaxGain(KeysCanonicalWeights(-0.5)), 1.0, 1e-9);
-  EXPECT_NEAR(penalty.MaxGain(KeysCanonicalWeights(-0.65)), 1.024, 1e-3);
-  EXPECT_NEAR(penalty.MaxGain(KeysCanonicalWeights(-0.70)), 1.040, 2e-3);
+// The largest gain of a = -0.65 is 1.024, that of a = -0.70 is 1.040.
+TEST(GainPenalty, SetsInAtTheGainOfAKeysKernel) {
+  CanonicalWeights<double> unused{};
+  const auto penalty = [&](double bound, double a) {
+    return GainPenalty(bound).AddGradient(KeysCanonicalWeights(a), 1, unused);
+  };
+  EXPECT_LT(penalty(1.0, -0.5), 1e-15);
+  EXPECT_EQ(penalty(1.026, -0.65), 0);
+  EXPECT_GT(penalty(1.022, -0.65), 0);
+  EXPECT_EQ(penalty(1.043, -0.70), 0);
+  EXPECT_GT(penalty(1.037, -0.70), 0);
 }
 
 TEST(GainPenalty, ZeroBelowTheBoundAndPositiveAbove) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/train/noise_image.h"
+#include "train/warp_objective.h"
 
 namespace warplut {
 namespace {

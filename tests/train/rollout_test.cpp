@@ -5,24 +5,46 @@
 #include <array>
 
 #include "tests/train/noise_image.h"
-#include "train/warp_objective.h"
+#include "train/keys_search.h"
 
 namespace warplut {
 namespace {
 
 constexpr std::array<int, 2> kHorizons = {4, 10};
 
+// A rollout of 10 steps from a noise image to itself; with samples, those of another image.
 struct Case {
-  BorderedPlane image = ToPlane(NoiseImage(64, 48, 6));
-  Ssim ssim{InnerView(image)};
-  std::vector<RolloutStep> steps = ToSteps(MakeTrajectory(Offsets::kRandom, kHorizons, kNodes, 3));
-  RolloutWorkspace workspace{64, 48, 10};
+  explicit Case(bool with_samples = false) {
+    rollout.start = &image;
+    rollout.ssim = &ssim;
+    rollout.steps = ToSteps(MakeTrajectory(Offsets::kRandom, kHorizons, kNodes, 3));
+    rollout.horizons = {kHorizons.begin(), kHorizons.end()};
+    for (std::size_t i = 0; with_samples && i < rollout.steps.size(); ++i) {
+      const SampleGrid& grid = grids[i % grids.size()];
+      FrameSamples frame{&grid, std::vector<float>(grid.columns() * grid.rows())};
+      grid.Read(target, frame.values);
+      rollout.frames.push_back(std::move(frame));
+    }
+  }
+  Case(const Case&) = delete;
+  Case& operator=(const Case&) = delete;
 
   std::array<double, 2> Losses(const CanonicalWeights<double>& weights) {
     std::array<double, 2> losses{};
-    workspace.Forward(image, ssim, steps, kHorizons, weights, losses);
+    workspace.Forward(rollout, weights, losses);
     return losses;
   }
+
+  BorderedPlane image = ToPlane(NoiseImage(64, 48, 6));
+  BorderedPlane target = ToPlane(NoiseImage(64, 48, 7));
+  Ssim ssim{InnerView(image)};
+  std::array<SampleGrid, 2> grids = {
+      SampleGrid({.width = 64, .height = 48, .scale = 1.7, .blend_a = 0.7, .blend_b = 0.8},
+                 {0.2, -0.4}),
+      SampleGrid({.width = 64, .height = 48, .scale = 1.7, .blend_a = 0.7, .blend_b = 0.8},
+                 {-0.1, 0.3})};
+  Rollout rollout;
+  RolloutWorkspace workspace{64, 48};
 };
 
 TEST(Rollout, StepsSplitDisplacementsIntoCellAndNode) {
@@ -40,7 +62,7 @@ TEST(Rollout, StepsSplitDisplacementsIntoCellAndNode) {
 
 TEST(Rollout, TheExactFilterOfWholeShiftsLosesNothing) {
   Case c;
-  c.steps.assign(10, {ToCanonical(0, 0), 0, 0});
+  c.rollout.steps.assign(10, {ToCanonical(0, 0), 0, 0});
   for (const double loss : c.Losses(KeysCanonicalWeights(-0.5))) EXPECT_NEAR(loss, 0, 2e-6);
 }
 
@@ -49,31 +71,55 @@ TEST(Rollout, SharperKeysLosesLessThanBilinearLike) {
   EXPECT_LT(c.Losses(KeysCanonicalWeights(-0.6))[1], c.Losses(KeysCanonicalWeights(-0.1))[1]);
 }
 
+// Against central differences, with and without samples.
 TEST(Rollout, GradientEqualsDifferences) {
-  Case c;
-  CanonicalWeights<double> weights = KeysCanonicalWeights(-0.55);
-  const std::array<double, 2> factors = {1.0, 0.5};
-  c.Losses(weights);
-  CanonicalWeights<double> gradient{};
-  c.workspace.Backward(c.image, c.ssim, c.steps, kHorizons, factors, weights, gradient);
-  const auto total = [&] {
-    const auto losses = c.Losses(weights);
-    return factors[0] * losses[0] + factors[1] * losses[1];
-  };
-  for (const std::size_t step : {0u, 3u, 7u}) {
-    const int node = c.steps[step].node.index;
-    for (const int k : {0, 5, 6, 10, 13}) {
-      const double saved = weights[node][k];
-      const double h = 1e-3;
-      weights[node][k] = saved + h;
-      const double above = total();
-      weights[node][k] = saved - h;
-      const double below = total();
-      weights[node][k] = saved;
-      const double expected = (above - below) / (2 * h);
-      EXPECT_NEAR(gradient[node][k], expected, 0.01 * std::abs(expected) + 2e-3);
+  for (const bool with_samples : {false, true}) {
+    Case c(with_samples);
+    CanonicalWeights<double> weights = KeysCanonicalWeights(-0.55);
+    const std::array<double, 2> factors = {1.0, 0.5};
+    c.Losses(weights);
+    CanonicalWeights<double> gradient{};
+    c.workspace.Backward(c.rollout, factors, weights, gradient);
+    const auto total = [&] {
+      const auto losses = c.Losses(weights);
+      return factors[0] * losses[0] + factors[1] * losses[1];
+    };
+    for (const std::size_t step : {0u, 3u, 7u}) {
+      const int node = c.rollout.steps[step].node.index;
+      for (const int k : {0, 5, 6, 10, 13}) {
+        const double saved = weights[node][k];
+        const double h = 1e-3;
+        weights[node][k] = saved + h;
+        const double above = total();
+        weights[node][k] = saved - h;
+        const double below = total();
+        weights[node][k] = saved;
+        const double expected = (above - below) / (2 * h);
+        EXPECT_NEAR(gradient[node][k], expected, 0.01 * std::abs(expected) + 2e-3)
+            << with_samples << " " << step << " " << k;
+      }
     }
   }
+}
+
+TEST(Rollout, WithFullShareAndASampleOnEveryPixelTheImageIsItsSamples) {
+  Case c;
+  const Ssim target(InnerView(c.target));
+  c.rollout.ssim = &target;
+  const SampleGrid grid({.width = 64, .height = 48, .scale = 1, .blend_a = 1, .blend_b = 0}, {});
+  FrameSamples frame{&grid, std::vector<float>(64 * 48)};
+  grid.Read(c.target, frame.values);
+  c.rollout.frames.assign(c.rollout.steps.size(), frame);
+  for (const double loss : c.Losses(KeysCanonicalWeights(-0.3))) EXPECT_NEAR(loss, 0, 2e-6);
+}
+
+TEST(Rollout, SamplesPullTheImageTowardsWhatTheySee) {
+  Case pure, refreshed(true);
+  const Ssim target(InnerView(pure.target));
+  pure.rollout.ssim = refreshed.rollout.ssim = &target;
+  const CanonicalWeights<double> weights = KeysCanonicalWeights(-0.5);
+  EXPECT_GT(pure.Losses(weights)[1], 0.5);
+  EXPECT_LT(refreshed.Losses(weights)[1], 0.3);
 }
 
 }  // namespace

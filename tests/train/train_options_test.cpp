@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "luts/certificate.h"
+#include "runtime/parameters.h"
 
 namespace warplut {
 namespace {
@@ -35,6 +36,22 @@ TEST(TrainOptions, HorizonsOfEveryFactorAreValidAndGrow) {
   }
 }
 
+TEST(TrainOptions, BlendAndPansOfObjectiveSrResolveToThePipelines) {
+  TrainOptions options;
+  EXPECT_EQ(options.Resolved().Json().find("blend"), std::string::npos);
+  EXPECT_EQ(*options.Resolved().pan_share, 0);
+  options.objective = TrainObjective::kSr;
+  const TrainOptions resolved = options.Resolved();
+  EXPECT_EQ(static_cast<float>(*resolved.blend_a), Parameters().blend_a);
+  EXPECT_EQ(static_cast<float>(*resolved.blend_b), Parameters().blend_b);
+  EXPECT_EQ(*resolved.pan_share, kSrPanShare);
+  options.blend_a = 2.5;
+  options.blend_b = 0.8;
+  const std::string json = options.Resolved().Json();
+  EXPECT_NE(json.find("\"objective\":\"sr\",\"blend_a\":2.5,\"blend_b\":0.8"), std::string::npos)
+      << json;
+}
+
 TEST(TrainOptions, EachBadValueIsNamed) {
   const std::vector<std::pair<std::string, std::function<void(TrainOptions&)>>> cases = {
       {"scale", [](TrainOptions& o) { o.scale = 0.9; }},
@@ -57,6 +74,17 @@ TEST(TrainOptions, EachBadValueIsNamed) {
       {"iterations", [](TrainOptions& o) { o.iterations = -2; }},
       {"gain_bound", [](TrainOptions& o) { o.gain_bound = 0.5; }},
       {"pan_share", [](TrainOptions& o) { o.pan_share = 1; }},
+      {"blend_a", [](TrainOptions& o) { o.blend_a = 0.5; }},
+      {"blend_a is 9",
+       [](TrainOptions& o) {
+         o.objective = TrainObjective::kSr;
+         o.blend_a = 9;
+       }},
+      {"blend_b is -1",
+       [](TrainOptions& o) {
+         o.objective = TrainObjective::kSr;
+         o.blend_b = -1;
+       }},
       {"crops", [](TrainOptions& o) { o.crops = -1; }},
       {"checkpoint", [](TrainOptions& o) { o.resume = true; }},
   };

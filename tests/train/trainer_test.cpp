@@ -60,6 +60,28 @@ TEST(Trainer, BeatsCatmullRomAndRecordsWhatItDid) {
   EXPECT_GE(score("keys", "half"), score("catmull-rom", "half"));
 }
 
+TEST(Trainer, ObjectiveSrBeatsCatmullRomInItsLoopAndIsRecorded) {
+  TrainOptions options = Small();
+  options.objective = TrainObjective::kSr;
+  options.scale = 1.3;
+  options.blend_a = 0.2;
+  options.blend_b = 0.8;
+  options.iterations = 12;
+  TrainResult result = Train(options, Images());
+  result.fit.name = "test";
+  std::string why;
+  EXPECT_TRUE(result.fit.IsValid(&why)) << why;
+  EXPECT_EQ(result.fit.objective, "sr");
+  EXPECT_NE(result.fit.options.find("\"blend_a\":0.2,\"blend_b\":0.8"), std::string::npos);
+  double lut = 0, catmull_rom = 0;
+  for (const FitScore& score : result.fit.validation) {
+    EXPECT_NE(score.offsets, "half");
+    if (score.filter == "lut") lut += score.ssim;
+    if (score.filter == "catmull-rom") catmull_rom += score.ssim;
+  }
+  EXPECT_GT(lut, catmull_rom);
+}
+
 TEST(Trainer, SameBitsForAnyNumberOfThreads) {
   TrainOptions options = Small();
   options.threads = 1;

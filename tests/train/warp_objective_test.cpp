@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include "tests/train/noise_image.h"
+#include "train/keys_search.h"
 
 namespace warplut {
 namespace {

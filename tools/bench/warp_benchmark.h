@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/warp.h"
+#include "tools/bench/timing.h"
 
 namespace warplut {
 
@@ -18,19 +19,12 @@ struct WarpBenchmarkOptions {
   bool IsValid(std::string* why) const;
 };
 
-// Milliseconds of processor time of the calling thread, per call.
-struct Timing {
-  double min = 0;
-  double median = 0;
-  double max = 0;
-};
-
 struct WarpBenchmarkRow {
   PixelFormat format = PixelFormat::kRgba8;
   std::string motion;      // "smooth", "uniform", "whole", "static"
   std::string filter;      // of Warp; "any" or "tiles given" where motion is whole
   std::string competitor;  // what it is compared with
-  Timing warp;
+  Timing warp;             // milliseconds per call
   Timing other;
   Timing ratio;       // other / warp of runs made one after the other: above 1 where Warp is faster
   double target = 0;  // what the median of `ratio` should reach; 0 if none is set
@@ -53,7 +47,7 @@ struct WarpBenchmark {
 // is one fractional motion; "whole" one of whole pixels; "static" zero. Competitors: cv::remap,
 // INTER_CUBIC, BORDER_REPLICATE with CV_32FC2 maps (motion comes as floats, so this is the one with
 // a target) and with CV_16SC2 maps made beforehand; for "static" and "whole" one memcpy of the
-// image. remap has no half floats: RGBA16F is compared with remap of RGBA32F.
+// image, and the same with all of the motion read, which is what has to be done where its tiles are not given. remap has no half floats: RGBA16F is compared with remap of RGBA32F.
 WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options);
 
 // The rows as a table for people, one line each.

@@ -1,0 +1,62 @@
+#include "runtime/generation/color_repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "runtime/motion_split.h"
+#include "runtime/pixel.h"
+
+namespace warplut::generation {
+namespace {
+
+bool IsUnusable(std::uint16_t half) { return (half & 0x7C00u) == 0x7C00u; }
+bool IsUnusable(float value) { return !(std::abs(value) <= std::numeric_limits<float>::max()); }
+
+template <class T>
+bool AnyUnusable(const T* channels, int count) {
+  bool any = false;
+  for (int i = 0; i < count; ++i) any |= IsUnusable(channels[i]);
+  return any;
+}
+
+template <class T>
+void Repair(const ImageView& color, const MotionView& motion, const WarpOptions& options, int y,
+            const MutableImageView& warped) {
+  constexpr int kChannels = 4;
+  const T* row = warped.Row<const T>(y);
+  if (!AnyUnusable(row, warped.width * kChannels)) return;
+  for (int x = 0; x < warped.width; ++x) {
+    if (!AnyUnusable(row + x * kChannels, kChannels)) continue;
+    const MotionSplit sx = SplitMotion(motion.Row(y)[2 * x]);
+    const MotionSplit sy = SplitMotion(motion.Row(y)[2 * x + 1]);
+    const int tx = SampledTexel(x, sx.whole, color.width);
+    const int ty = SampledTexel(y, sy.whole, color.height);
+    const Weights<float> weights = FilterWeights(options, sx.offset, sy.offset);
+    for (int c = 0; c < kChannels; ++c) {
+      Weights<float> texels;
+      for (int k = 0; k < kWeights; ++k) {
+        const float value = LoadChannel(color.format,
+                                        color.At(std::clamp(tx + TapX(k), 0, color.width - 1),
+                                                 std::clamp(ty + TapY(k), 0, color.height - 1)),
+                                        c);
+        texels[k] = IsUnusable(value) ? 0.0f : value;
+      }
+      StoreChannel(warped.format, ApplyWeights(weights, texels), warped.At(x, y), c);
+    }
+  }
+}
+
+}  // namespace
+
+void RepairRow(const ImageView& color, const MotionView& motion, const WarpOptions& options, int y,
+               const MutableImageView& warped) {
+  if (warped.format == PixelFormat::kRgba16F) {
+    Repair<std::uint16_t>(color, motion, options, y, warped);
+  } else if (warped.format == PixelFormat::kRgba32F) {
+    Repair<float>(color, motion, options, y, warped);
+  }
+}
+
+}  // namespace warplut::generation

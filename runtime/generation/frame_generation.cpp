@@ -1,0 +1,263 @@
+#include "runtime/frame_generation.h"
+
+#include <algorithm>
+#include <atomic>
+#include <vector>
+
+#include "runtime/generation/band.h"
+#include "runtime/generation/color_repair.h"
+#include "runtime/generation/frame_check.h"
+#include "runtime/generation/row_kernels.h"
+#include "runtime/generation/tone_map.h"
+#include "runtime/motion_filter.h"
+#include "runtime/warp_kernels.h"
+
+namespace warplut {
+
+using namespace generation;
+
+namespace {
+
+constexpr int kSplatRows = 2 * kBandRows;  // of the generated frame that are splatted to together
+
+}  // namespace
+
+struct FrameGeneration::State {
+  State(const FrameGenerationOptions& frame_options, Executor& threads);
+
+  // Calls work(band, buffers) for bands of `rows` rows, each once.
+  template <class Work>
+  void ForEachBand(int rows, const Work& work) {
+    const int count = TileCount(options.height, rows);
+    std::atomic<int> next = 0;
+    executor.ForEach(static_cast<int>(bands.size()), [&](int worker) {
+      for (int i = next++; i < count; i = next++) {
+        work(Band{i * rows, std::min((i + 1) * rows, options.height)}, bands[worker]);
+      }
+    });
+  }
+
+  void Generate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
+                bool interpolates, const MutableImageView& out);
+  void Show(const ImageView& color, const MutableImageView& out);
+
+  void FilterMotion(GenerationJob& job);
+  void Splat(const GenerationJob& job);
+  void WarpDisplay(const GenerationJob& job, const ImageView& color0, const ImageView& color1,
+                   const MutableImageView& out);
+  void WarpHdr(const GenerationJob& job, const ImageView& color0, const ImageView& color1,
+               const MutableImageView& out);
+  void FindMotion(const GenerationJob& job, const Band& band, BandBuffers& buffers) const;
+  void WarpBand(const ImageView& color, const MotionView& motion, const Band& band,
+                const MutableImageView& to) const;
+  void BlendBand(const GenerationJob& job, const WarpedFrames& warped, const Band& band,
+                 const MutableImageView& out) const;
+
+  MutableMotionView Forward() const {
+    return {reinterpret_cast<float*>(forward.data()), options.width, options.height,
+            std::ptrdiff_t{options.width} * 2 * static_cast<std::ptrdiff_t>(sizeof(float))};
+  }
+  KeyView Keys() const { return {reinterpret_cast<SplatKey*>(keys.data()), options.width}; }
+
+  FrameGenerationOptions options;
+  Executor& executor;
+  RowKernels kernels;
+  RowBuffer forward;            // displacements, one row of pixels after the other
+  RowBuffer keys;               // likewise
+  std::vector<RowRange> reach;  // of each row of frame 1: the rows at which it arrives
+  ImageBuffer mapped;           // kLinearHdr: the frame that is being warped
+  std::unique_ptr<MotionFilter> filter;
+  MotionBuffer filtered0, filtered1;  // with a motion filter
+  std::vector<BandBuffers> bands;     // one for each worker
+};
+
+FrameGeneration::State::State(const FrameGenerationOptions& frame_options, Executor& threads)
+    : options(frame_options),
+      executor(threads),
+      kernels(options.reference ? ReferenceRowKernels() : FastRowKernels()) {
+  const int width = options.width, height = options.height;
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  forward = RowBuffer(pixels * 2 * sizeof(float), 1);
+  keys = RowBuffer(pixels * sizeof(SplatKey), 1);
+  reach.resize(static_cast<std::size_t>(height));
+  if (options.encoding == ColorEncoding::kLinearHdr) {
+    mapped = ImageBuffer(width, height, PixelFormat::kRgba32F);
+  }
+  if (options.motion_filter) {
+    filter = std::make_unique<MotionFilter>(width, height,
+                                            MotionFilterOptions{options.motion_filter_limit});
+    filtered0 = MotionBuffer(width, height);
+    filtered1 = MotionBuffer(width, height);
+  }
+  for (int i = 0; i < executor.Threads(); ++i) bands.emplace_back(width);
+}
+
+void FrameGeneration::State::FilterMotion(GenerationJob& job) {
+  if (filter == nullptr) return;
+  const auto apply = [&](const ImageView& depth, MotionBuffer& filtered, MotionView& motion) {
+    if (options.reference) {
+      MotionFilter::Reference(depth, motion, {options.motion_filter_limit}, filtered.view());
+    } else {
+      filter->Apply(depth, motion, executor, filtered.view());
+    }
+    motion = filtered.view();
+  };
+  apply(job.depth1, filtered1, job.motion1);
+  if (job.motion0_counts) apply(job.depth0, filtered0, job.motion0);
+}
+
+void FrameGeneration::State::Splat(const GenerationJob& job) {
+  ForEachBand(kBandRows, [&](const Band& band, BandBuffers&) {
+    for (int y = band.first; y < band.last; ++y) reach[y] = kernels.forward(job, y, Forward());
+  });
+  ForEachBand(kSplatRows, [&](const Band& band, BandBuffers&) {
+    std::fill(Keys().Row(band.first), Keys().Row(band.last), kNoSplat);
+    for (int y = 0; y < options.height; ++y) {
+      if (reach[y].first >= band.last || reach[y].last <= band.first) continue;
+      kernels.splat(job, Forward(), y, {band.first, band.last}, Keys());
+    }
+  });
+}
+
+void FrameGeneration::State::FindMotion(const GenerationJob& job, const Band& band,
+                                        BandBuffers& buffers) const {
+  const MutableMotionView from0 = band.Motion(buffers.from0), from1 = band.Motion(buffers.from1);
+  for (int y = band.first; y < band.last; ++y) {
+    kernels.target_motion(job, {Forward(), Keys()}, y, from0, from1);
+  }
+}
+
+void FrameGeneration::State::WarpBand(const ImageView& color, const MotionView& motion,
+                                      const Band& band, const MutableImageView& to) const {
+  if (options.reference) {
+    WarpReferencePixels({color, motion, options.warp, to}, {0, band.first, to.width, band.last});
+  } else {
+    WarpRows(color, motion, options.warp, band.first, band.last, to);
+  }
+  for (int y = band.first; y < band.last; ++y) RepairRow(color, motion, options.warp, y, to);
+}
+
+void FrameGeneration::State::BlendBand(const GenerationJob& job, const WarpedFrames& warped,
+                                       const Band& band, const MutableImageView& out) const {
+  for (int y = band.first; y < band.last; ++y) kernels.blend(job, warped, y, out);
+}
+
+void FrameGeneration::State::WarpDisplay(const GenerationJob& job, const ImageView& color0,
+                                         const ImageView& color1, const MutableImageView& out) {
+  ForEachBand(kBandRows, [&](const Band& band, BandBuffers& buffers) {
+    FindMotion(job, band, buffers);
+    const MutableMotionView from0 = band.Motion(buffers.from0), from1 = band.Motion(buffers.from1);
+    const MutableImageView warped0 = band.Image(buffers.color0, color0.format, options.width);
+    const MutableImageView warped1 = band.Image(buffers.color1, color1.format, options.width);
+    if (job.interpolates) WarpBand(color0, from0, band, warped0);
+    WarpBand(color1, from1, band, warped1);
+    BlendBand(job, {warped0, warped1, from0, from1}, band, out);
+  });
+}
+
+// One frame after the other is tone-mapped and warped; the output keeps what came of frame 1 in between.
+void FrameGeneration::State::WarpHdr(const GenerationJob& job, const ImageView& color0,
+                                     const ImageView& color1, const MutableImageView& out) {
+  constexpr PixelFormat kFormat = PixelFormat::kRgba32F;
+  const auto map = [&](const ImageView& color) {
+    ForEachBand(kBandRows, [&](const Band& band, BandBuffers&) {
+      ToneMapRows(color, band.first, band.last, mapped);
+    });
+  };
+  map(color1);
+  ForEachBand(kBandRows, [&](const Band& band, BandBuffers& buffers) {
+    FindMotion(job, band, buffers);
+    const MutableImageView warped1 = band.Image(buffers.color1, kFormat, options.width);
+    WarpBand(mapped, band.Motion(buffers.from1), band, warped1);
+    InverseToneMapRows(warped1, band.first, band.last, out);
+  });
+  if (!job.interpolates) return;
+  map(color0);
+  ForEachBand(kBandRows, [&](const Band& band, BandBuffers& buffers) {
+    FindMotion(job, band, buffers);
+    const MutableMotionView from0 = band.Motion(buffers.from0), from1 = band.Motion(buffers.from1);
+    const MutableImageView warped0 = band.Image(buffers.color0, kFormat, options.width);
+    const MutableImageView warped1 = band.Image(buffers.color1, kFormat, options.width);
+    WarpBand(mapped, from0, band, warped0);
+    ToneMapRows(out, band.first, band.last, warped1);
+    BlendBand(job, {warped0, warped1, from0, from1}, band, warped1);
+    InverseToneMapRows(warped1, band.first, band.last, out);
+  });
+}
+
+void FrameGeneration::State::Generate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
+                                      float alpha, bool interpolates, const MutableImageView& out) {
+  const bool motion0_counts = options.motion_model == MotionModel::kQuadratic && !frame0.cut;
+  GenerationJob job{options,      interpolates, alpha,         motion0_counts,
+                    frame0.depth, frame1.depth, frame0.motion, frame1.motion};
+  FilterMotion(job);
+  Splat(job);
+  if (options.encoding == ColorEncoding::kLinearHdr) {
+    WarpHdr(job, frame0.color, frame1.color, out);
+  } else {
+    WarpDisplay(job, frame0.color, frame1.color, out);
+  }
+}
+
+// `color` as it is, in the format of `out`.
+void FrameGeneration::State::Show(const ImageView& color, const MutableImageView& out) {
+  ForEachBand(kBandRows, [&](const Band& band, BandBuffers& buffers) {
+    if (options.encoding == ColorEncoding::kLinearHdr) {
+      const MutableImageView rows =
+          band.Image(buffers.color1, PixelFormat::kRgba32F, options.width);
+      ToneMapRows(color, band.first, band.last, rows);
+      InverseToneMapRows(rows, band.first, band.last, out);
+      return;
+    }
+    for (int y = band.first; y < band.last; ++y) {
+      for (int x = 0; x < options.width; ++x) {
+        StoreRgb(LoadRgb(color.format, color.At(x, y)), out.format, out.At(x, y));
+      }
+    }
+  });
+}
+
+FrameGeneration::FrameGeneration(const FrameGenerationOptions& options, Executor& executor)
+    : state_(std::make_unique<State>(options, executor)) {}
+
+FrameGeneration::~FrameGeneration() = default;
+
+void FrameGeneration::Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
+                                  float alpha, const MutableImageView& out) {
+  if (frame1.cut) {
+    state_->Show(alpha < 0.5f ? frame0.color : frame1.color, out);
+  } else {
+    state_->Generate(frame0, frame1, alpha, true, out);
+  }
+}
+
+void FrameGeneration::Extrapolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
+                                  float alpha, const MutableImageView& out) {
+  if (frame1.cut) {
+    state_->Show(frame1.color, out);
+  } else {
+    state_->Generate(frame0, frame1, alpha, false, out);
+  }
+}
+
+bool FrameGeneration::IsGenerable(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
+                                  float alpha, const MutableImageView& out,
+                                  std::string* why) const {
+  return AreGenerable(state_->options, frame0, frame1, alpha, out, why);
+}
+
+void FrameGeneration::SetParameters(const Parameters& parameters, float gate_width) {
+  state_->options.parameters = parameters;
+  state_->options.gate_width = gate_width;
+}
+
+std::size_t FrameGeneration::MemoryBytes() const {
+  std::size_t bytes = state_->forward.size() + state_->keys.size() +
+                      state_->reach.size() * sizeof(RowRange) + state_->mapped.bytes() +
+                      state_->filtered0.bytes() + state_->filtered1.bytes();
+  if (state_->filter != nullptr) bytes += state_->filter->MemoryBytes();
+  for (const BandBuffers& band : state_->bands) bytes += band.bytes();
+  return bytes;
+}
+
+}  // namespace warplut

@@ -1,0 +1,92 @@
+// One call of frame generation as its passes see it, and what they share.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "runtime/frame_generation.h"
+#include "runtime/generation/splat_key.h"
+#include "runtime/image_buffer.h"
+
+namespace warplut::generation {
+
+struct Vector {
+  float x = 0;
+  float y = 0;
+};
+
+inline Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
+inline Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
+inline Vector operator*(float s, Vector v) { return {s * v.x, s * v.y}; }
+
+inline bool IsFinite(Vector v) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  return std::abs(v.x) <= kLargest && std::abs(v.y) <= kLargest;
+}
+
+// Depth as the passes compare it: NaN, negative and infinite values are kFarthestDepth, -0 is 0.
+inline float CleanDepth(float depth) {
+  return depth >= 0.0f && depth <= kFarthestDepth ? depth + 0.0f : kFarthestDepth;
+}
+
+// Input is checked before (FrameGeneration::IsGenerable).
+struct GenerationJob {
+  const FrameGenerationOptions& options;
+  bool interpolates;  // else extrapolates
+  float alpha;
+  bool motion0_counts;  // frame 0 is no cut and its motion is read
+  ImageView depth0, depth1;
+  MotionView motion0, motion1;
+
+  int width() const { return options.width; }
+  int height() const { return options.height; }
+  float depth_threshold() const { return options.parameters.generation_depth_threshold; }
+
+  bool Contains(int x, int y) const { return x >= 0 && x < width() && y >= 0 && y < height(); }
+};
+
+inline float DepthAt(const ImageView& depth, int x, int y) {
+  return CleanDepth(depth.Row<float>(y)[x]);
+}
+
+inline Vector MotionAt(const MotionView& motion, int x, int y) {
+  const float* row = motion.Row(y);
+  return {row[2 * x], row[2 * x + 1]};
+}
+
+inline void SetMotion(const MutableMotionView& motion, int x, int y, Vector v) {
+  float* row = motion.Row(y);
+  row[2 * x] = v.x;
+  row[2 * x + 1] = v.y;
+}
+
+// The pixel whose centre is nearest to pixel (x, y) moved by d, halves towards the lower right; {-1, -1} outside of the image or
+// where d is not finite.
+struct PixelIndex {
+  int x, y;
+};
+inline PixelIndex NearestPixel(const GenerationJob& job, int x, int y, Vector d) {
+  const float fx = std::floor(static_cast<float>(x) + d.x + 0.5f);
+  const float fy = std::floor(static_cast<float>(y) + d.y + 0.5f);
+  const bool inside = fx >= 0.0f && fx < static_cast<float>(job.width()) && fy >= 0.0f &&
+                      fy < static_cast<float>(job.height());
+  return inside ? PixelIndex{static_cast<int>(fx), static_cast<int>(fy)} : PixelIndex{-1, -1};
+}
+
+// Rows [first, last).
+struct RowRange {
+  int first;
+  int last;
+};
+
+// Splat keys, one row after the other.
+struct KeyView {
+  SplatKey* keys;
+  int width;
+
+  SplatKey* Row(int y) const { return keys + static_cast<std::size_t>(y) * width; }
+};
+
+}  // namespace warplut::generation

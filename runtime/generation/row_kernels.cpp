@@ -1,0 +1,42 @@
+#include "runtime/generation/row_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "runtime/generation/row_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR
+#include "runtime/generation/blend-inl.h"
+#include "runtime/generation/splat-inl.h"
+#include "runtime/generation/target_motion-inl.h"
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace warplut::generation {
+namespace HWY_NAMESPACE {
+
+RowKernels Kernels() {
+#if HWY_TARGET == HWY_SCALAR
+  return ReferenceRowKernels();
+#else
+  return {ForwardRow, SplatRow, TargetMotionRow, BlendRow};
+#endif
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace warplut::generation
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace warplut::generation {
+
+HWY_EXPORT(Kernels);
+
+RowKernels ReferenceRowKernels() {
+  return {ForwardRowReference, SplatRowReference, TargetMotionRowReference, BlendRowReference};
+}
+
+RowKernels FastRowKernels() { return HWY_DYNAMIC_DISPATCH(Kernels)(); }
+
+}  // namespace warplut::generation
+#endif  // HWY_ONCE

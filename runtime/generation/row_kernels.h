@@ -1,0 +1,31 @@
+// The passes, a row at a time: the plain version of each and the one with vectors, which gives the same bits.
+//
+// Rows are independent of each other within a pass, and each pass reads only what the passes before it have finished: any
+// distribution of rows over threads gives the same result.
+#pragma once
+
+#include "runtime/generation/blend.h"
+#include "runtime/generation/generation_job.h"
+#include "runtime/generation/splat.h"
+#include "runtime/generation/target_motion.h"
+
+namespace warplut::generation {
+
+struct RowKernels {
+  // Writes the forward displacements of row y of frame 1 into `forward`. Nothing arrives outside of the rows it returns.
+  RowRange (*forward)(const GenerationJob& job, int y, const MutableMotionView& forward);
+  // Adds what of row y of frame 1 arrives at `target` rows to the keys of these.
+  void (*splat)(const GenerationJob& job, const MotionView& forward, int y, RowRange target,
+                const KeyView& keys);
+  // Writes row y of the target motion; from0 is left alone if the job extrapolates.
+  void (*target_motion)(const GenerationJob& job, const Arrivals& arrivals, int y,
+                        const MutableMotionView& from0, const MutableMotionView& from1);
+  // Writes row y of the output.
+  void (*blend)(const GenerationJob& job, const WarpedFrames& warped, int y,
+                const MutableImageView& out);
+};
+
+RowKernels ReferenceRowKernels();
+RowKernels FastRowKernels();
+
+}  // namespace warplut::generation

@@ -1,0 +1,157 @@
+// The vector kernels of the first two passes.
+#if defined(WARPLUT_RUNTIME_GENERATION_SPLAT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef WARPLUT_RUNTIME_GENERATION_SPLAT_INL_H_
+#undef WARPLUT_RUNTIME_GENERATION_SPLAT_INL_H_
+#else
+#define WARPLUT_RUNTIME_GENERATION_SPLAT_INL_H_
+#endif
+
+#include "runtime/generation/geometry-inl.h"
+#include "runtime/generation/motion_model.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace warplut::generation {
+namespace HWY_NAMESPACE {
+
+// What frame 0 has where the pixels of a row were.
+struct alignas(64) Frame0Pixels {
+  alignas(64) float motion[2 * kPixels];
+  alignas(64) float depth[kPixels];
+  alignas(64) float inside[kPixels];  // 1, or 0 where the pixel lies outside of frame 0
+};
+
+HWY_INLINE void GatherFrame0(const GenerationJob& job, const std::int32_t* x, const std::int32_t* y,
+                             int count, Frame0Pixels& to) {
+  int row = 0;
+  const float* motion = job.motion0.Row(row);
+  const float* depth = job.depth0.Row<float>(row);
+  for (int i = 0; i < count; ++i) {
+    if (y[i] != row) {
+      row = y[i];
+      motion = job.motion0.Row(row);
+      depth = job.depth0.Row<float>(row);
+    }
+    std::memcpy(to.motion + 2 * i, motion + 2 * x[i], 2 * sizeof(float));
+    to.depth[i] = depth[x[i]];
+  }
+}
+
+// InterpolatedDisplacement or ExtrapolatedDisplacement.
+struct DisplacementFactors {
+  float first, second;
+  bool interpolates;
+
+  explicit DisplacementFactors(const GenerationJob& job)
+      : first(0.5f * job.alpha),
+        second(0.5f * job.alpha * job.alpha),
+        interpolates(job.interpolates) {}
+
+  HWY_INLINE Floats At(Floats m1, Floats m0) const {
+    const FloatTag d;
+    const auto bend = hn::Mul(hn::Set(d, second), hn::Sub(m1, m0));
+    const auto f = hn::Set(d, first);
+    if (interpolates) return hn::Sub(hn::Add(hn::Mul(f, hn::Add(m1, m0)), bend), m1);
+    return hn::Add(hn::Mul(f, hn::Sub(hn::Mul(hn::Set(d, 3.0f), m1), m0)), bend);
+  }
+};
+
+RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& forward) {
+  const FloatTag d;
+  const IntTag di;
+  const DisplacementFactors factors(job);
+  const float fy = static_cast<float>(y);
+  alignas(64) float padded_motion[2 * kPixels], padded_depth[kPixels], displaced[2 * kPixels];
+  alignas(64) std::int32_t px[kPixels], py[kPixels];
+  Frame0Pixels frame0;
+  auto least = hn::Zero(d);
+  auto most = hn::Zero(d);
+  for (int x0 = 0; x0 < job.width(); x0 += kPixels) {
+    const int count = std::min(kPixels, job.width() - x0);
+    const float* motion =
+        Padded(job.motion1.Row(y) + 2 * x0, 2 * count, 2 * kPixels, padded_motion);
+    const float* depth = Padded(job.depth1.Row<float>(y) + x0, count, kPixels, padded_depth);
+    if (job.motion0_counts) {
+      for (int i = 0; i < kPixels; i += kLanes) {
+        Floats mx, my;
+        hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
+        const auto p0 = FindNearest(job, PixelNumbers(x0 + i), fy, hn::Neg(mx), hn::Neg(my));
+        hn::Store(p0.x, di, px + i);
+        hn::Store(p0.y, di, py + i);
+        hn::Store(hn::IfThenElseZero(p0.inside, hn::Set(d, 1.0f)), d, frame0.inside + i);
+      }
+      GatherFrame0(job, px, py, kPixels, frame0);
+    }
+    for (int i = 0; i < kPixels; i += kLanes) {
+      Floats mx, my;
+      hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
+      const auto x = PixelNumbers(x0 + i);
+      auto m0x = mx, m0y = my;
+      if (job.motion0_counts) {
+        Floats gx, gy;
+        hn::LoadInterleaved2(d, frame0.motion + 2 * i, gx, gy);
+        const auto was_inside = hn::Gt(hn::Load(d, frame0.inside + i), hn::Zero(d));
+        const auto counts = hn::And(was_inside, hn::And(IsFiniteVector(gx), IsFiniteVector(gy)));
+        const auto difference =
+            DepthDifferences(job.options.depth, CleanDepths(hn::Load(d, frame0.depth + i)),
+                             CleanDepths(hn::LoadU(d, depth + i)));
+        const auto gate = Gates(hn::Abs(difference), job.depth_threshold(), job.options.gate_width);
+        m0x = hn::IfThenElse(counts, hn::Add(mx, hn::Mul(gate, hn::Sub(gx, mx))), mx);
+        m0y = hn::IfThenElse(counts, hn::Add(my, hn::Mul(gate, hn::Sub(gy, my))), my);
+      }
+      const auto nan = hn::Set(d, std::numeric_limits<float>::quiet_NaN());
+      const auto moves = hn::And(IsFiniteVector(mx), IsFiniteVector(my));
+      const auto dx = hn::IfThenElse(moves, factors.At(mx, m0x), nan);
+      const auto dy = hn::IfThenElse(moves, factors.At(my, m0y), nan);
+      hn::StoreInterleaved2(dx, dy, d, displaced + 2 * i);
+      const auto row = hn::IfThenElseZero(moves, dy);
+      least = hn::Min(least, row);
+      most = hn::Max(most, row);
+    }
+    std::memcpy(forward.Row(y) + 2 * x0, displaced,
+                sizeof(float) * 2 * static_cast<std::size_t>(count));
+  }
+  const auto nearest = [&](float displacement) {
+    const float row = std::floor(fy + displacement + 0.5f);
+    return static_cast<int>(std::clamp(row, 0.0f, static_cast<float>(job.height())));
+  };
+  return {nearest(hn::GetLane(hn::MinOfLanes(d, least))),
+          std::min(nearest(hn::GetLane(hn::MaxOfLanes(d, most))) + 1, job.height())};
+}
+
+void SplatRow(const GenerationJob& job, const MotionView& forward, int y, RowRange target,
+              const KeyView& keys) {
+  const FloatTag d;
+  const IntTag di;
+  const float fy = static_cast<float>(y);
+  alignas(64) float padded_motion[2 * kPixels], padded_depth[kPixels], depths[kPixels];
+  alignas(64) std::int32_t px[kPixels], py[kPixels];
+  for (int x0 = 0; x0 < job.width(); x0 += kPixels) {
+    const int count = std::min(kPixels, job.width() - x0);
+    const float* motion = Padded(forward.Row(y) + 2 * x0, 2 * count, 2 * kPixels, padded_motion);
+    const float* depth = Padded(job.depth1.Row<float>(y) + x0, count, kPixels, padded_depth);
+    for (int i = 0; i < kPixels; i += kLanes) {
+      Floats dx, dy;
+      hn::LoadInterleaved2(d, motion + 2 * i, dx, dy);
+      const auto q = FindNearest(job, PixelNumbers(x0 + i), fy, dx, dy);
+      const auto kept =
+          hn::And(hn::RebindMask(di, q.inside), hn::And(hn::Gt(q.y, hn::Set(di, target.first - 1)),
+                                                        hn::Lt(q.y, hn::Set(di, target.last))));
+      hn::Store(q.x, di, px + i);
+      hn::Store(hn::IfThenElse(kept, q.y, hn::Set(di, -1)), di, py + i);
+      hn::Store(CleanDepths(hn::LoadU(d, depth + i)), d, depths + i);
+    }
+    const auto source = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(job.width()) +
+                        static_cast<std::uint32_t>(x0);
+    for (int i = 0; i < count; ++i) {
+      if (py[i] < 0) continue;
+      SplatKey& kept = keys.Row(py[i])[px[i]];
+      kept = std::min(kept, MakeSplatKey(depths[i], source + static_cast<std::uint32_t>(i)));
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace warplut::generation
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,109 @@
+#include "runtime/generation/target_motion.h"
+
+namespace warplut::generation {
+namespace {
+
+// How far the search for background goes, in pixels along each of the 8 directions.
+constexpr int kBackgroundReach = 64;
+
+struct Finder {
+  const GenerationJob& job;
+  const Arrivals& arrivals;
+  DepthTolerance tolerance;
+
+  SplatKey KeyAt(int x, int y) const {
+    return job.Contains(x, y) ? arrivals.keys.Row(y)[x] : kNoSplat;
+  }
+
+  TargetMotion Arrived(SplatKey key) const {
+    const auto width = static_cast<std::uint32_t>(job.width());
+    const int x = static_cast<int>(SplatSource(key) % width);
+    const int y = static_cast<int>(SplatSource(key) / width);
+    const Vector from1 = MotionAt(arrivals.forward, x, y);
+    return {from1 + MotionAt(job.motion1, x, y), from1};
+  }
+
+  // The mean motion of the foreground around a gap; false if (x, y) is none.
+  bool Gap(int x, int y, TargetMotion* motion) const {
+    float depth[3][3];
+    bool alike[3][3];
+    const float center = SplatDepth(KeyAt(x, y));
+    float nearest = center;
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        const int nx = std::clamp(x + i - 1, 0, job.width() - 1);
+        const int ny = std::clamp(y + j - 1, 0, job.height() - 1);
+        depth[j][i] = SplatDepth(KeyAt(nx, ny));
+        alike[j][i] = tolerance.Alike(center, depth[j][i]);
+        nearest = std::min(nearest, depth[j][i]);
+      }
+    }
+    for (int j = 0; j < 2; ++j) {
+      for (int i = 0; i < 2; ++i) {
+        if (alike[j][i] && alike[j][i + 1] && alike[j + 1][i] && alike[j + 1][i + 1]) return false;
+      }
+    }
+    if (tolerance.Alike(center, nearest)) return false;
+    TargetMotion sum;
+    float count = 0;
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        const SplatKey key = KeyAt(x + i - 1, y + j - 1);
+        if (key == kNoSplat || !tolerance.Alike(depth[j][i], nearest)) continue;
+        const TargetMotion neighbour = Arrived(key);
+        sum = {sum.from0 + neighbour.from0, sum.from1 + neighbour.from1};
+        count += 1;
+      }
+    }
+    const float share = 1.0f / count;
+    *motion = {share * sum.from0, share * sum.from1};
+    return true;
+  }
+
+  // The motion of the farthest of the first arrivals in 8 directions; zero if there are none.
+  TargetMotion Background(int x, int y) const {
+    constexpr int kDirections[8][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
+                                       {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
+    SplatKey farthest = kNoSplat;
+    for (const auto& [dx, dy] : kDirections) {
+      for (int step = 1; step <= kBackgroundReach; ++step) {
+        if (!job.Contains(x + step * dx, y + step * dy)) break;
+        const SplatKey key = KeyAt(x + step * dx, y + step * dy);
+        if (key == kNoSplat) continue;
+        if (farthest == kNoSplat || SplatDepth(key) > SplatDepth(farthest)) farthest = key;
+        break;
+      }
+    }
+    return farthest == kNoSplat ? TargetMotion{} : Arrived(farthest);
+  }
+
+  TargetMotion Disocclusion(int x, int y) const {
+    if (job.interpolates || job.options.fill == DisocclusionFill::kBackground) {
+      return Background(x, y);
+    }
+    const Vector own = MotionAt(arrivals.forward, x, y);
+    const bool moves = job.options.fill == DisocclusionFill::kOwnMotion && IsFinite(own);
+    return {{}, moves ? own : Vector{}};
+  }
+};
+
+}  // namespace
+
+TargetMotion TargetMotionAt(const GenerationJob& job, const Arrivals& arrivals, int x, int y) {
+  const Finder finder{job, arrivals, DepthTolerance(job)};
+  TargetMotion motion;
+  if (job.options.refine && finder.Gap(x, y, &motion)) return motion;
+  const SplatKey key = arrivals.keys.Row(y)[x];
+  return key != kNoSplat ? finder.Arrived(key) : finder.Disocclusion(x, y);
+}
+
+void TargetMotionRowReference(const GenerationJob& job, const Arrivals& arrivals, int y,
+                              const MutableMotionView& from0, const MutableMotionView& from1) {
+  for (int x = 0; x < job.width(); ++x) {
+    const TargetMotion motion = TargetMotionAt(job, arrivals, x, y);
+    if (job.interpolates) SetMotion(from0, x, y, motion.from0);
+    SetMotion(from1, x, y, motion.from1);
+  }
+}
+
+}  // namespace warplut::generation

@@ -1,0 +1,50 @@
+// The third pass: motion of the generated frame's own pixels, to warp frames 0 and 1 by.
+//
+// A pixel at which a pixel of frame 1 arrived takes its motion. Then
+//   gaps (refine): of the four 2 x 2 blocks that hold the pixel none is alike in depth to it: it takes the mean motion of the
+//     foreground among its 8 neighbours, those alike in depth to the nearest one, which must be nearer than itself;
+//   disocclusions, the others without an arrival: interpolation takes the motion of the farthest among the first arrivals in 8
+//     directions, extrapolation does as DisocclusionFill says.
+// "Alike" is |DepthDifference| <= T_D, whatever the gate width; pixels without an arrival are alike to each other only. Pixels beyond
+// the border are those on it.
+#pragma once
+
+#include <algorithm>
+
+#include "runtime/generation/generation_job.h"
+
+namespace warplut::generation {
+
+// Motion from frames 0 and 1 to a pixel of the generated frame, as Warp takes it: the source positions are q - m.
+struct TargetMotion {
+  Vector from0;
+  Vector from1;
+};
+
+// What arrived: the results of the first two passes. Rows of `forward` follow each other without padding.
+struct Arrivals {
+  MotionView forward;
+  KeyView keys;
+};
+
+// |DepthDifference| <= T_D without its division, for depths of arrivals and kNoArrivalDepth.
+struct DepthTolerance {
+  float absolute, relative;
+
+  explicit DepthTolerance(const GenerationJob& job)
+      : absolute(job.options.depth == DepthMeasure::kNone       ? 2 * kFarthestDepth
+                 : job.options.depth == DepthMeasure::kAbsolute ? job.depth_threshold()
+                                                                : 0.0f),
+        relative(job.options.depth == DepthMeasure::kRelative ? job.depth_threshold() : 0.0f) {}
+
+  bool Alike(float a, float b) const {
+    return std::abs(a - b) <= absolute + relative * std::max(std::min(a, b), 1e-12f);
+  }
+};
+
+TargetMotion TargetMotionAt(const GenerationJob& job, const Arrivals& arrivals, int x, int y);
+
+void TargetMotionRowReference(const GenerationJob& job, const Arrivals& arrivals, int y,
+                              const MutableMotionView& from0, const MutableMotionView& from1);
+
+}  // namespace warplut::generation

@@ -1,0 +1,40 @@
+#include "runtime/generation/tone_map.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "runtime/color_encoding.h"
+#include "runtime/generation/blend.h"
+#include "runtime/pixel.h"
+
+namespace warplut::generation {
+
+void ToneMapRows(const ImageView& linear, int first, int last, const MutableImageView& to) {
+  const float scale = linear.format == PixelFormat::kRgba8 ? 1.0f / 255.0f : 1.0f;
+  for (int y = first; y < last; ++y) {
+    float* out = to.Row<float>(y);
+    for (int x = 0; x < linear.width; ++x, out += 4) {
+      const void* pixel = linear.At(x, y);
+      for (int i = 0; i < 3; ++i) {
+        const float value = LoadChannel(linear.format, pixel, i) * scale;
+        out[i] = value > 0.0f && value <= std::numeric_limits<float>::max() ? value : 0.0f;
+      }
+      const float factor = ToneMapFactor(std::max({out[0], out[1], out[2]}));
+      for (int i = 0; i < 3; ++i) out[i] *= factor;
+      out[3] = 1.0f;
+    }
+  }
+}
+
+void InverseToneMapRows(const ImageView& mapped, int first, int last, const MutableImageView& to) {
+  for (int y = first; y < last; ++y) {
+    for (int x = 0; x < mapped.width; ++x) {
+      Rgb color = LoadRgb(mapped.format, mapped.At(x, y));
+      const float factor = InverseToneMapFactor(std::max({color.c[0], color.c[1], color.c[2]}));
+      for (float& c : color.c) c *= factor;
+      StoreRgb(color, to.format, to.At(x, y));
+    }
+  }
+}
+
+}  // namespace warplut::generation

@@ -1,0 +1,284 @@
+// Planes of a rendered frame, colour boxes, the current frame and the predicted colour, per target.
+#if defined(WARPLUT_RUNTIME_SR_COLOR_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef WARPLUT_RUNTIME_SR_COLOR_INL_H_
+#undef WARPLUT_RUNTIME_SR_COLOR_INL_H_
+#else
+#define WARPLUT_RUNTIME_SR_COLOR_INL_H_
+#endif
+
+#include "runtime/sr/band.h"
+#include "runtime/sr/geometry-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace warplut {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE Floats LargestChannel(const Pixels& p) { return hn::Max(p.r, hn::Max(p.g, p.b)); }
+
+HWY_INLINE void ScaleChannels(Floats factor, Pixels& p) {
+  p.r = hn::Mul(p.r, factor);
+  p.g = hn::Mul(p.g, factor);
+  p.b = hn::Mul(p.b, factor);
+}
+
+HWY_INLINE void EncodePixels(ColorEncoding encoding, Pixels& p) {
+  const FloatTag d;
+  const auto one = hn::Set(d, 1.0f);
+  const auto largest = hn::Set(d, std::numeric_limits<float>::max());
+  for (Floats* channel : {&p.r, &p.g, &p.b}) {
+    const auto finite = hn::IfThenElseZero(hn::Le(hn::Abs(*channel), largest), *channel);
+    *channel = hn::Max(finite, hn::Zero(d));
+    if (encoding == ColorEncoding::kDisplay) *channel = hn::Min(*channel, one);
+  }
+  if (encoding == ColorEncoding::kLinearHdr) {
+    ScaleChannels(hn::Div(one, hn::Add(one, LargestChannel(p))), p);
+  }
+}
+
+HWY_INLINE void DecodePixels(ColorEncoding encoding, Pixels& p) {
+  const FloatTag d;
+  if (encoding == ColorEncoding::kDisplay) return;
+  const auto one = hn::Set(d, 1.0f);
+  // The largest m that InverseToneMapFactor takes as it is.
+  const auto limit = hn::Set(d, kLargestHdr / (1.0f + kLargestHdr));
+  ScaleChannels(hn::Div(one, hn::Sub(one, hn::Min(LargestChannel(p), limit))), p);
+}
+
+// `count` floats, the others 0.
+HWY_INLINE Floats LoadSome(const float* from, int count) {
+  const FloatTag d;
+  if (count >= kLanes) return hn::LoadU(d, from);
+  alignas(64) float whole[kLanes] = {};
+  std::memcpy(whole, from, static_cast<std::size_t>(count) * sizeof(float));
+  return hn::Load(d, whole);
+}
+
+HWY_INLINE void LoadMotion(const float* from, int count, Floats& x, Floats& y) {
+  const FloatTag d;
+  if (count >= kLanes) {
+    hn::LoadInterleaved2(d, from, x, y);
+    return;
+  }
+  alignas(64) float whole[2 * kLanes] = {};
+  std::memcpy(whole, from, 2 * static_cast<std::size_t>(count) * sizeof(float));
+  hn::LoadInterleaved2(d, whole, x, y);
+}
+
+void FillPlanes(const RenderedFrame& frame, const MotionView& motion, ColorEncoding encoding,
+                int begin, int end, RenderPlanes& planes) {
+  const FloatTag d;
+  const auto farthest = hn::Set(d, kFarthestDepth);
+  const auto largest = hn::Set(d, std::numeric_limits<float>::max());
+  const auto none = hn::Set(d, std::numeric_limits<float>::quiet_NaN());
+  for (int y = begin; y < end; ++y) {
+    for (int x = 0; x < frame.color.width; x += kLanes) {
+      const int left = frame.color.width - x;
+      Pixels p = LoadPixels(frame.color, x, y, left);
+      EncodePixels(encoding, p);
+      hn::Store(p.r, d, planes.color[0].Row(y) + x);
+      hn::Store(p.g, d, planes.color[1].Row(y) + x);
+      hn::Store(p.b, d, planes.color[2].Row(y) + x);
+      const auto z = LoadSome(frame.depth.Row<float>(y) + x, left);
+      const auto known = hn::And(hn::Ge(z, hn::Zero(d)), hn::Lt(z, farthest));
+      hn::Store(hn::IfThenElse(known, z, farthest), d, planes.depth.Row(y) + x);
+      Floats mx, my;
+      LoadMotion(motion.Row(y) + 2 * x, left, mx, my);
+      const auto finite = hn::And(hn::Le(hn::Abs(mx), largest), hn::Le(hn::Abs(my), largest));
+      hn::Store(hn::IfThenElse(finite, mx, none), d, planes.motion_x.Row(y) + x);
+      hn::Store(hn::IfThenElse(finite, my, none), d, planes.motion_y.Row(y) + x);
+    }
+    for (Plane* plane : {&planes.color[0], &planes.color[1], &planes.color[2], &planes.depth,
+                         &planes.motion_x, &planes.motion_y}) {
+      plane->ExtendRow(y);
+    }
+  }
+}
+
+// The colour boxes of a row of samples: rows R, G, B of the least, then of the greatest.
+class ColorBoxes {
+ public:
+  static constexpr int kRows = 6;
+
+  HWY_INLINE ColorBoxes(const SrJob& job, Plane& rows, int first)
+      : job_(job), rows_(rows), first_(first) {}
+
+  HWY_INLINE void MoveTo(int j) {
+    if (j == row_) return;
+    row_ = j;
+    for (int c = 0; c < 3; ++c) {
+      if (job_.options.clamp == ColorClamp::kBox) {
+        Extremes(job_.planes.color[c], j, Low(c), High(c));
+      } else {
+        Spread(job_.planes.color[c], j, Low(c), High(c));
+      }
+    }
+  }
+
+  HWY_INLINE Floats Clamp(const Columns& nearest, int c, Floats v) {
+    return hn::Min(hn::Max(v, nearest.At(Low(c))), nearest.At(High(c)));
+  }
+
+ private:
+  HWY_INLINE float* Low(int c) { return rows_.Row(first_ + c); }
+  HWY_INLINE float* High(int c) { return rows_.Row(first_ + 3 + c); }
+
+  static HWY_INLINE void Extremes(const Plane& color, int j, float* low, float* high) {
+    const FloatTag d;
+    for (int i = 0; i < color.width(); i += kLanes) {
+      auto least = hn::Load(d, color.Row(j) + i);
+      auto greatest = least;
+      for (int y = j - 1; y <= j + 1; ++y) {
+        for (int x = i - 1; x <= i + 1; ++x) {
+          const auto s = hn::LoadU(d, color.Row(y) + x);
+          least = hn::Min(least, s);
+          greatest = hn::Max(greatest, s);
+        }
+      }
+      hn::Store(least, d, low + i);
+      hn::Store(greatest, d, high + i);
+    }
+  }
+
+  HWY_INLINE void Spread(const Plane& color, int j, float* low, float* high) const {
+    const FloatTag d;
+    const auto ninth = hn::Set(d, 1.0f / 9.0f);
+    const auto gamma = hn::Set(d, job_.options.parameters.clamp_gamma);
+    for (int i = 0; i < color.width(); i += kLanes) {
+      auto sum = hn::Zero(d);
+      auto squares = hn::Zero(d);
+      for (int y = j - 1; y <= j + 1; ++y) {
+        for (int x = i - 1; x <= i + 1; ++x) {
+          const auto s = hn::LoadU(d, color.Row(y) + x);
+          sum = hn::Add(sum, s);
+          squares = hn::MulAdd(s, s, squares);
+        }
+      }
+      const auto mean = hn::Mul(sum, ninth);
+      const auto variance = hn::NegMulAdd(mean, mean, hn::Mul(squares, ninth));
+      const auto half = hn::Mul(gamma, hn::Sqrt(hn::Max(variance, hn::Zero(d))));
+      hn::Store(Limit(hn::Sub(mean, half)), d, low + i);
+      hn::Store(Limit(hn::Add(mean, half)), d, high + i);
+    }
+  }
+
+  const SrJob& job_;
+  Plane& rows_;
+  int first_;
+  int row_ = -1;
+};
+
+// Weights of the taps 0 and 1, or -1 to 2, at kLanes fractions.
+struct TapVectors {
+  Floats w[kTaps];
+};
+
+HWY_INLINE TapVectors TapsOf(CurrentFrame current, Floats t) {
+  const FloatTag d;
+  const auto one = hn::Set(d, 1.0f);
+  const auto e = hn::Sub(one, t);
+  if (current == CurrentFrame::kBilinear) return {{hn::Zero(d), e, t, hn::Zero(d)}};
+  constexpr float kA = static_cast<float>(kCatmullRomA);  // as KeysTaps
+  const auto a = hn::Set(d, kA);
+  const auto outer0 = hn::Mul(hn::Mul(a, t), hn::Mul(e, e));
+  const auto outer3 = hn::Mul(hn::Mul(a, e), hn::Mul(t, t));
+  const auto slope = hn::MulAdd(hn::Set(d, kA + 2), t, hn::Set(d, -(kA + 3)));
+  const auto inner1 = hn::MulAdd(slope, hn::Mul(t, t), one);
+  return {{outer0, inner1, hn::Sub(hn::Sub(hn::Sub(one, inner1), outer0), outer3), outer3}};
+}
+
+// CurrentFrameAt for kLanes pixels.
+HWY_NOINLINE Pixels CurrentPixels(const SrJob& job, int x, int y) {
+  const FloatTag d;
+  const CurrentFrame current = job.options.current;
+  const TapVectors wx = TapsOf(current, hn::LoadU(d, job.x.fraction() + x));
+  const TapVectors wy = TapsOf(current, hn::Set(d, job.y.fraction()[y]));
+  const int j = job.y.cell()[y];
+  const Columns cell(job.x.cell(), x);
+  Floats color[3];
+  for (int c = 0; c < 3; ++c) {
+    color[c] = hn::Zero(d);
+    for (int k = current == CurrentFrame::kBilinear ? 1 : 0;
+         k < (current == CurrentFrame::kBilinear ? 3 : kTaps); ++k) {
+      const float* row = job.planes.color[c].Row(j + kFirstTap + k);
+      auto sum = hn::Mul(wx.w[1], cell.At(row));
+      sum = hn::MulAdd(wx.w[2], cell.Next(row), sum);
+      if (current == CurrentFrame::kBicubic) {
+        sum = hn::MulAdd(wx.w[0], cell.At(row - 1), sum);
+        sum = hn::MulAdd(wx.w[3], cell.Next(row + 1), sum);
+      }
+      color[c] = hn::MulAdd(wy.w[k], sum, color[c]);
+    }
+  }
+  return {Limit(color[0]), Limit(color[1]), Limit(color[2]), hn::Zero(d)};
+}
+
+void PredictRow(const SrJob& job, int y, const float* validity, ColorBoxes& boxes) {
+  const FloatTag d;
+  const auto one = hn::Set(d, 1.0f);
+  const auto zero = hn::Zero(d);
+  const bool clamped = job.options.clamp != ColorClamp::kNone;
+  if (clamped && job.has_history) boxes.MoveTo(job.y.nearest()[y]);
+  for (int x = 0; x < job.x.output(); x += kLanes) {
+    const int left = job.x.output() - x;
+    const auto valid = job.has_history ? hn::Load(d, validity + x) : zero;
+    const bool some = !hn::AllTrue(d, hn::Le(valid, zero));
+    const bool all = hn::AllTrue(d, hn::Ge(valid, one));
+    Pixels p{zero, zero, zero, valid};
+    if (some) {
+      p = LoadPixels(job.next, x, y, left);
+      if (clamped) {
+        const Columns nearest(job.x.nearest(), x);
+        p.r = boxes.Clamp(nearest, 0, p.r);
+        p.g = boxes.Clamp(nearest, 1, p.g);
+        p.b = boxes.Clamp(nearest, 2, p.b);
+      } else {
+        p = {Limit(p.r), Limit(p.g), Limit(p.b), p.a};
+      }
+      p.a = valid;
+    }
+    if (!all) {
+      const Pixels current = CurrentPixels(job, x, y);
+      const auto full = hn::Ge(valid, one);
+      p.r = hn::IfThenElse(full, p.r, Mix(current.r, p.r, valid));
+      p.g = hn::IfThenElse(full, p.g, Mix(current.g, p.g, valid));
+      p.b = hn::IfThenElse(full, p.b, Mix(current.b, p.b, valid));
+    }
+    StorePixels(p, job.next, x, y, left);
+  }
+}
+
+void Predict(const SrJob& job, int begin, int end, SrScratch& scratch) {
+  if (job.has_history) {
+    GeometryRowMaker geometry(job, scratch.render_rows);
+    float* depth = scratch.output_rows.Row(0);
+    float* motion_x = scratch.output_rows.Row(1);
+    float* motion_y = scratch.output_rows.Row(2);
+    const MutableMotionView motion = BandMotion(scratch.motion, begin);
+    for (int y = begin; y < end; ++y) {
+      geometry.Make(y, depth, motion_x, motion_y);
+      ValidityRow(job, y, depth, motion_x, motion_y, scratch.validity.Row(y - begin));
+      StoreMotion(motion_x, motion_y, job.x.output(), motion.Row(y));
+    }
+    WarpRows(job.history, motion, job.options.warp, begin, end, job.next);
+  }
+  ColorBoxes boxes(job, scratch.render_rows, GeometryRowMaker::kRows);
+  for (int y = begin; y < end; ++y) PredictRow(job, y, scratch.validity.Row(y - begin), boxes);
+}
+
+void Geometry(const SrJob& job, int begin, int end, SrScratch& scratch,
+              const MutableImageView& depth, const MutableMotionView& motion) {
+  GeometryRowMaker maker(job, scratch.render_rows);
+  float* motion_x = scratch.output_rows.Row(1);
+  float* motion_y = scratch.output_rows.Row(2);
+  for (int y = begin; y < end; ++y) {
+    maker.Make(y, scratch.output_rows.Row(0), motion_x, motion_y);
+    std::copy_n(scratch.output_rows.Row(0), job.x.output(), depth.Row<float>(y));
+    StoreMotion(motion_x, motion_y, job.x.output(), motion.Row(y));
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace warplut
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

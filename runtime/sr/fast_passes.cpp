@@ -1,0 +1,38 @@
+#include "runtime/sr/passes.h"
+#include "runtime/sr/reference.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "runtime/sr/fast_passes.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR
+#include "runtime/sr/update-inl.h"
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace warplut {
+namespace HWY_NAMESPACE {
+
+const SrPasses& PassesOfTarget() {
+#if HWY_TARGET == HWY_SCALAR
+  return ReferencePasses();  // without vectors the formulas are the kernels
+#else
+  static constexpr SrPasses kPasses = {FillPlanes, Geometry, Predict, Residual, Update, DepthRange};
+  return kPasses;
+#endif
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace warplut
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace warplut {
+
+HWY_EXPORT(PassesOfTarget);
+
+const SrPasses& FastPasses() { return HWY_DYNAMIC_DISPATCH(PassesOfTarget)(); }
+
+}  // namespace warplut
+#endif  // HWY_ONCE

@@ -1,0 +1,76 @@
+// The passes of super resolution and what they work on. Rows are handed out in bands; no pass needs to know the others' bands.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "runtime/image_buffer.h"
+#include "runtime/sr/axis_map.h"
+#include "runtime/sr/plane.h"
+#include "runtime/sr/render_planes.h"
+#include "runtime/super_resolution.h"
+
+namespace warplut {
+
+// One frame on its way through the passes.
+struct SrJob {
+  const SuperResolutionOptions& options;
+  const AxisMap& x;
+  const AxisMap& y;
+  const RenderPlanes& planes;
+
+  // Of the frame before: the least and greatest depth of samples (i - 1, j - 1) to (i + 2, j + 2), and its jitter.
+  const Plane& nearest_before;
+  const Plane& farthest_before;
+  float jitter_x_before, jitter_y_before;
+
+  bool has_history;
+  ImageView history;      // of the frame before
+  MutableImageView next;  // first the predicted colour, then the new history
+  const Plane* residual;  // R, G, B: sample minus prediction
+};
+
+// What one worker may write beside its rows; allocated once.
+struct SrScratch {
+  explicit SrScratch(const SuperResolutionOptions& options);
+  std::size_t bytes() const;
+
+  MotionBuffer motion;  // of a band of output rows
+  Plane validity;       // of the same rows, in [0, 1]
+  Plane render_rows;    // kRenderRows rows on the render grid
+  Plane output_rows;    // kOutputRows rows on the output grid
+
+  static constexpr int kRenderRows = 13;
+  static constexpr int kOutputRows = 3;
+};
+
+// Output rows of a band: a whole number of motion tiles.
+inline constexpr int kBandRows = 16;
+// Render rows of a band.
+inline constexpr int kRenderBandRows = 16;
+
+struct SrPasses {
+  // Rows [begin, end) of the planes, borders included.
+  void (*fill_planes)(const RenderedFrame& frame, const MotionView& motion, ColorEncoding encoding,
+                      int begin, int end, RenderPlanes& planes);
+  // Output rows [begin, end): depth, and motion in output pixels (NaN where there is none).
+  void (*geometry)(const SrJob& job, int begin, int end, SrScratch& scratch,
+                   const MutableImageView& depth, const MutableMotionView& motion);
+  // Output rows [begin, end), at most kBandRows of one band: the predicted colour, and its validity in alpha.
+  void (*predict)(const SrJob& job, int begin, int end, SrScratch& scratch);
+  // Render rows [begin, end) of the residual.
+  void (*residual)(const SrJob& job, int begin, int end, Plane* residual);
+  // Output rows [begin, end): the new samples enter; history and output are written.
+  void (*update)(const SrJob& job, int begin, int end, SrScratch& scratch,
+                 const MutableImageView& out);
+  // Render rows [begin, end) of the depth range that the next frame is compared with.
+  void (*depth_range)(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest);
+};
+
+// Slow and obvious, one pixel after the other.
+const SrPasses& ReferencePasses();
+
+// The same on vectors, for the processor at hand.
+const SrPasses& FastPasses();
+
+}  // namespace warplut

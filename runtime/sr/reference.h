@@ -1,0 +1,69 @@
+// The plain version of every pass: one pixel after the other, from the formulas.
+#pragma once
+
+#include "runtime/sr/passes.h"
+
+namespace warplut {
+
+// What is seen at a point; motion in render pixels.
+struct Surface {
+  float depth;
+  float motion_x, motion_y;
+};
+
+// Depths of neighbouring samples that differ by more, relative to the lesser, belong to different surfaces.
+inline constexpr float kSurfaceStep = 0.03f;
+
+// What is taken off a residual, towards 0: the rounding of the history makes differences of this size, which would keep a still image
+// moving. A unit in the last place of [1/2, 1]; codes settle by themselves.
+constexpr float ResidualSlack(PixelFormat history) {
+  switch (history) {
+    case PixelFormat::kRgba16F:
+      return 0x1p-11f;
+    case PixelFormat::kRgba32F:
+      return 0x1p-20f;
+    case PixelFormat::kRgba8:
+    case PixelFormat::kR32F:
+      break;
+  }
+  return 0.0f;
+}
+
+// Whether the samples (i, j) to (i + 1, j + 1) belong to different surfaces, or one has no motion.
+bool IsSurfaceEdge(const RenderPlanes& planes, int i, int j);
+
+// The nearest to the camera of the 3 x 3 samples around (i, j); of equal ones the middle one, then the first in reading order.
+Surface NearestSurface(const RenderPlanes& planes, int i, int j);
+
+// What is seen at the centre of output pixel (x, y).
+Surface SurfaceAt(const SrJob& job, int x, int y);
+
+// How much of the history counts where (depth, motion in output pixels) is seen: 0 outside of the image and without
+// motion, else the gate of the distance of `depth` from the depths around the position one frame ago.
+float ValidityReference(const SrJob& job, int x, int y, float depth, float motion_x,
+                        float motion_y);
+
+struct Rgb {
+  float c[3];
+};
+
+// The colour box around output pixel (x, y), in [0, 1].
+struct ColorBox {
+  Rgb low, high;
+};
+ColorBox ColorBoxAt(const SrJob& job, int x, int y);
+
+// The current frame alone at the centre of output pixel (x, y), in [0, 1].
+Rgb CurrentFrameAt(const SrJob& job, int x, int y);
+
+void FillPlanesReference(const RenderedFrame& frame, const MotionView& motion,
+                         ColorEncoding encoding, int begin, int end, RenderPlanes& planes);
+void GeometryReference(const SrJob& job, int begin, int end, SrScratch& scratch,
+                       const MutableImageView& depth, const MutableMotionView& motion);
+void PredictReference(const SrJob& job, int begin, int end, SrScratch& scratch);
+void ResidualReference(const SrJob& job, int begin, int end, Plane* residual);
+void UpdateReference(const SrJob& job, int begin, int end, SrScratch& scratch,
+                     const MutableImageView& out);
+void DepthRangeReference(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest);
+
+}  // namespace warplut

@@ -1,0 +1,248 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "runtime/pixel.h"
+#include "runtime/sr/band.h"
+#include "runtime/sr/reference.h"
+#include "runtime/warp_kernels.h"
+
+namespace warplut {
+namespace {
+
+// What a channel of a format is worth at 1.
+float White(PixelFormat format) { return format == PixelFormat::kRgba8 ? 255.0f : 1.0f; }
+
+float Load(const ImageView& image, int x, int y, int c) {
+  return LoadChannel(image.format, image.At(x, y), c) / White(image.format);
+}
+
+void Store(const MutableImageView& image, int x, int y, int c, float value) {
+  StoreChannel(image.format, value * White(image.format), image.At(x, y), c);
+}
+
+std::array<float, 4> TapWeights(CurrentFrame current, float fraction) {
+  return current == CurrentFrame::kBilinear ? BilinearTaps(fraction)
+                                            : KeysTaps(static_cast<float>(kCatmullRomA), fraction);
+}
+
+float Limit(float value) { return std::clamp(value, 0.0f, 1.0f); }
+
+float Distance(const SrJob& job, int x, int y, int di, int dj) {
+  return std::hypot(job.x.offset()[x] - static_cast<float>(di),
+                    job.y.offset()[y] - static_cast<float>(dj));
+}
+
+// Sums of the samples within one render pixel of the centre of output pixel (x, y).
+struct SampleSums {
+  int count = 0;
+  float weight = 0;
+  Rgb color{};
+};
+
+SampleSums SumSamples(const SrJob& job, int x, int y) {
+  SampleSums sums;
+  const int i = job.x.nearest()[x];
+  const int j = job.y.nearest()[y];
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      const bool in_frame =
+          i + di >= 0 && i + di < job.x.render() && j + dj >= 0 && j + dj < job.y.render();
+      const float distance = Distance(job, x, y, di, dj);
+      if (!in_frame || !(distance <= 1)) continue;
+      const float weight = SampleWeight(job.options.parameters.blend_b, distance);
+      ++sums.count;
+      sums.weight += weight;
+      for (int c = 0; c < 3; ++c)
+        sums.color.c[c] += weight * job.planes.color[c].Row(j + dj)[i + di];
+    }
+  }
+  return sums;
+}
+
+// The printed form, kept from losing energy; `validity` 0 leaves the prediction, the current frame alone, as it is.
+Rgb UpdateFromSamples(const SrJob& job, int x, int y, const Rgb& predicted, float validity) {
+  const SampleSums sums = SumSamples(job, x, y);
+  if (!(sums.weight > 0)) return predicted;
+  const float share = validity * BlendShare(job.options.parameters.blend_a,
+                                            sums.weight / static_cast<float>(sums.count));
+  Rgb q;
+  for (int c = 0; c < 3; ++c)
+    q.c[c] = predicted.c[c] + share * (sums.color.c[c] / sums.weight - predicted.c[c]);
+  return q;
+}
+
+Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted) {
+  const Parameters& parameters = job.options.parameters;
+  const float share =
+      BlendShare(parameters.blend_a, SampleWeight(parameters.blend_b, Distance(job, x, y, 0, 0)));
+  const int i = job.x.cell()[x];
+  const int j = job.y.cell()[y];
+  const float fx = job.x.fraction()[x];
+  const float fy = job.y.fraction()[y];
+  Rgb q;
+  for (int c = 0; c < 3; ++c) {
+    const float* upper = job.residual[c].Row(j) + i;
+    const float* lower = job.residual[c].Row(j + 1) + i;
+    const float left = upper[0] + fy * (lower[0] - upper[0]);
+    const float right = upper[1] + fy * (lower[1] - upper[1]);
+    q.c[c] = predicted.c[c] + share * (left + fx * (right - left));
+  }
+  return q;
+}
+
+}  // namespace
+
+void FillPlanesReference(const RenderedFrame& frame, const MotionView& motion,
+                         ColorEncoding encoding, int begin, int end, RenderPlanes& planes) {
+  for (int y = begin; y < end; ++y) {
+    for (int x = 0; x < frame.color.width; ++x) {
+      float rgb[3] = {Load(frame.color, x, y, 0), Load(frame.color, x, y, 1),
+                      Load(frame.color, x, y, 2)};
+      EncodeColor(encoding, rgb);
+      for (int c = 0; c < 3; ++c) planes.color[c].Row(y)[x] = rgb[c];
+      planes.depth.Row(y)[x] = SanitizeDepth(frame.depth.Row<float>(y)[x]);
+      const float* m = motion.Row(y) + 2 * x;
+      const bool finite = IsFiniteMotion(m[0], m[1]);
+      constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+      planes.motion_x.Row(y)[x] = finite ? m[0] : kNone;
+      planes.motion_y.Row(y)[x] = finite ? m[1] : kNone;
+    }
+    for (Plane* plane : {&planes.color[0], &planes.color[1], &planes.color[2], &planes.depth,
+                         &planes.motion_x, &planes.motion_y}) {
+      plane->ExtendRow(y);
+    }
+  }
+}
+
+ColorBox ColorBoxAt(const SrJob& job, int x, int y) {
+  const int i = job.x.nearest()[x];
+  const int j = job.y.nearest()[y];
+  ColorBox box;
+  for (int c = 0; c < 3; ++c) {
+    float low = 1, high = 0, sum = 0, squares = 0;
+    for (int dj = -1; dj <= 1; ++dj) {
+      for (int di = -1; di <= 1; ++di) {
+        const float s = job.planes.color[c].Row(j + dj)[i + di];
+        low = std::min(low, s);
+        high = std::max(high, s);
+        sum += s;
+        squares += s * s;
+      }
+    }
+    if (job.options.clamp == ColorClamp::kVariance) {
+      const float mean = sum / 9;
+      const float half =
+          job.options.parameters.clamp_gamma * std::sqrt(std::max(squares / 9 - mean * mean, 0.0f));
+      low = mean - half;
+      high = mean + half;
+    }
+    const bool none = job.options.clamp == ColorClamp::kNone;
+    box.low.c[c] = none ? 0.0f : Limit(low);
+    box.high.c[c] = none ? 1.0f : Limit(high);
+  }
+  return box;
+}
+
+Rgb CurrentFrameAt(const SrJob& job, int x, int y) {
+  const auto wx = TapWeights(job.options.current, job.x.fraction()[x]);
+  const auto wy = TapWeights(job.options.current, job.y.fraction()[y]);
+  const int i = job.x.cell()[x];
+  const int j = job.y.cell()[y];
+  Rgb color{};
+  for (int c = 0; c < 3; ++c) {
+    for (int ky = 0; ky < kTaps; ++ky) {
+      const float* row = job.planes.color[c].Row(j + kFirstTap + ky) + i + kFirstTap;
+      color.c[c] += wy[ky] * (wx[0] * row[0] + wx[1] * row[1] + wx[2] * row[2] + wx[3] * row[3]);
+    }
+    color.c[c] = Limit(color.c[c]);
+  }
+  return color;
+}
+
+void PredictReference(const SrJob& job, int begin, int end, SrScratch& scratch) {
+  const MutableMotionView motion = BandMotion(scratch.motion, begin);
+  for (int y = begin; y < end; ++y) {
+    for (int x = 0; x < job.x.output(); ++x) {
+      const Surface surface = SurfaceAt(job, x, y);
+      float* m = motion.Row(y) + 2 * x;
+      m[0] = surface.motion_x * job.x.scale();
+      m[1] = surface.motion_y * job.y.scale();
+      scratch.validity.Row(y - begin)[x] = ValidityReference(job, x, y, surface.depth, m[0], m[1]);
+    }
+  }
+  if (job.has_history) {
+    WarpReferencePixels({job.history, motion, job.options.warp, job.next},
+                        {0, begin, job.x.output(), end});
+  }
+  for (int y = begin; y < end; ++y) {
+    for (int x = 0; x < job.x.output(); ++x) {
+      const float validity = scratch.validity.Row(y - begin)[x];
+      const Rgb current = CurrentFrameAt(job, x, y);
+      const ColorBox box = ColorBoxAt(job, x, y);
+      for (int c = 0; c < 3; ++c) {
+        float color = current.c[c];
+        if (validity > 0) {
+          const float warped = std::clamp(Load(job.next, x, y, c), box.low.c[c], box.high.c[c]);
+          color = validity < 1 ? color + validity * (warped - color) : warped;
+        }
+        Store(job.next, x, y, c, color);
+      }
+      Store(job.next, x, y, 3, validity);
+    }
+  }
+}
+
+void ResidualReference(const SrJob& job, int begin, int end, Plane* residual) {
+  const int last_x = job.x.output() - 1;
+  const int last_y = job.y.output() - 1;
+  const float slack = ResidualSlack(job.next.format);
+  for (int j = begin; j < end; ++j) {
+    const auto wy = KeysTaps(static_cast<float>(kCatmullRomA), job.y.share()[j]);
+    for (int i = 0; i < job.x.render(); ++i) {
+      const auto wx = KeysTaps(static_cast<float>(kCatmullRomA), job.x.share()[i]);
+      for (int c = 0; c < 3; ++c) {
+        float predicted = 0;
+        for (int ky = 0; ky < kTaps; ++ky) {
+          const int y = std::clamp(job.y.texel()[j] + kFirstTap + ky, 0, last_y);
+          float sum = 0;
+          for (int kx = 0; kx < kTaps; ++kx) {
+            const int x = std::clamp(job.x.texel()[i] + kFirstTap + kx, 0, last_x);
+            sum += wx[kx] * Load(job.next, x, y, c);
+          }
+          predicted += wy[ky] * sum;
+        }
+        const float difference = job.planes.color[c].Row(j)[i] - predicted;
+        residual[c].Row(j)[i] = difference - std::clamp(difference, -slack, slack);
+      }
+    }
+    for (int c = 0; c < 3; ++c) residual[c].ExtendRow(j);
+  }
+}
+
+void UpdateReference(const SrJob& job, int begin, int end, SrScratch&,
+                     const MutableImageView& out) {
+  for (int y = begin; y < end; ++y) {
+    for (int x = 0; x < job.x.output(); ++x) {
+      Rgb q = {{Load(job.next, x, y, 0), Load(job.next, x, y, 1), Load(job.next, x, y, 2)}};
+      if (job.options.history) {
+        q = job.options.form == HistoryForm::kSample
+                ? UpdateFromSamples(job, x, y, q, Load(job.next, x, y, 3))
+                : UpdateFromResidual(job, x, y, q);
+      }
+      for (float& channel : q.c) channel = Limit(channel);
+      for (int c = 0; c < 3; ++c) Store(job.next, x, y, c, q.c[c]);
+      DecodeColor(job.options.encoding, q.c);
+      for (int c = 0; c < 3; ++c) Store(out, x, y, c, q.c[c]);
+      Store(out, x, y, 3, 1.0f);
+    }
+  }
+}
+
+const SrPasses& ReferencePasses() {
+  static constexpr SrPasses kPasses = {FillPlanesReference, GeometryReference, PredictReference,
+                                       ResidualReference,   UpdateReference,   DepthRangeReference};
+  return kPasses;
+}
+
+}  // namespace warplut

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/sr/reference.h"
+
+namespace warplut {
+
+bool IsSurfaceEdge(const RenderPlanes& planes, int i, int j) {
+  float nearest = planes.depth.Row(j)[i];
+  float farthest = nearest;
+  bool finite = true;
+  for (int y = j; y <= j + 1; ++y) {
+    for (int x = i; x <= i + 1; ++x) {
+      nearest = std::min(nearest, planes.depth.Row(y)[x]);
+      farthest = std::max(farthest, planes.depth.Row(y)[x]);
+      finite = finite && !std::isnan(planes.motion_x.Row(y)[x]);
+    }
+  }
+  return !finite || DepthDifference(DepthMeasure::kRelative, farthest, nearest) > kSurfaceStep;
+}
+
+Surface NearestSurface(const RenderPlanes& planes, int i, int j) {
+  Surface surface{planes.depth.Row(j)[i], planes.motion_x.Row(j)[i], planes.motion_y.Row(j)[i]};
+  for (int y = j - 1; y <= j + 1; ++y) {
+    for (int x = i - 1; x <= i + 1; ++x) {
+      if (planes.depth.Row(y)[x] >= surface.depth) continue;
+      surface = {planes.depth.Row(y)[x], planes.motion_x.Row(y)[x], planes.motion_y.Row(y)[x]};
+    }
+  }
+  return surface;
+}
+
+namespace {
+
+float Bilinear(const Plane& plane, int i, int j, float fx, float fy) {
+  const float* upper = plane.Row(j) + i;
+  const float* lower = plane.Row(j + 1) + i;
+  const float left = upper[0] + fy * (lower[0] - upper[0]);
+  const float right = upper[1] + fy * (lower[1] - upper[1]);
+  return left + fx * (right - left);
+}
+
+}  // namespace
+
+Surface SurfaceAt(const SrJob& job, int x, int y) {
+  const RenderPlanes& planes = job.planes;
+  const int i = job.x.nearest()[x];
+  const int j = job.y.nearest()[y];
+  switch (job.options.motion) {
+    case MotionUpsampling::kNearest:
+      return {planes.depth.Row(j)[i], planes.motion_x.Row(j)[i], planes.motion_y.Row(j)[i]};
+    case MotionUpsampling::kDilated:
+      return NearestSurface(planes, i, j);
+    case MotionUpsampling::kEdgeAware:
+      break;
+  }
+  const int cell_x = job.x.cell()[x];
+  const int cell_y = job.y.cell()[y];
+  if (IsSurfaceEdge(planes, cell_x, cell_y)) return NearestSurface(planes, i, j);
+  const float fx = job.x.fraction()[x];
+  const float fy = job.y.fraction()[y];
+  return {Bilinear(planes.depth, cell_x, cell_y, fx, fy),
+          Bilinear(planes.motion_x, cell_x, cell_y, fx, fy),
+          Bilinear(planes.motion_y, cell_x, cell_y, fx, fy)};
+}
+
+void GeometryReference(const SrJob& job, int begin, int end, SrScratch&,
+                       const MutableImageView& depth, const MutableMotionView& motion) {
+  for (int y = begin; y < end; ++y) {
+    for (int x = 0; x < job.x.output(); ++x) {
+      const Surface surface = SurfaceAt(job, x, y);
+      depth.Row<float>(y)[x] = surface.depth;
+      motion.Row(y)[2 * x] = surface.motion_x * job.x.scale();
+      motion.Row(y)[2 * x + 1] = surface.motion_y * job.y.scale();
+    }
+  }
+}
+
+float ValidityReference(const SrJob& job, int x, int y, float depth, float motion_x,
+                        float motion_y) {
+  const float px = static_cast<float>(x) + 0.5f - motion_x;
+  const float py = static_cast<float>(y) + 0.5f - motion_y;
+  const bool inside = px >= 0 && px <= static_cast<float>(job.x.output()) && py >= 0 &&
+                      py <= static_cast<float>(job.y.output());
+  if (!job.has_history || !inside) return 0.0f;
+  if (job.options.depth == DepthMeasure::kNone) return 1.0f;
+  const auto cell = [](float p, const AxisMap& axis, float jitter) {
+    const float u = p * axis.inverse_scale() - 0.5f - jitter;
+    return static_cast<int>(std::clamp(u, 0.0f, static_cast<float>(axis.render() - 1)));
+  };
+  const int i = cell(px, job.x, job.jitter_x_before);
+  const int j = cell(py, job.y, job.jitter_y_before);
+  const float before =
+      std::clamp(depth, job.nearest_before.Row(j)[i], job.farthest_before.Row(j)[i]);
+  return Gate(std::abs(DepthDifference(job.options.depth, depth, before)),
+              job.options.parameters.sr_depth_threshold, job.options.gate_width);
+}
+
+void DepthRangeReference(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest) {
+  for (int j = begin; j < end; ++j) {
+    for (int i = 0; i < depth.width(); ++i) {
+      float least = depth.Row(j)[i];
+      float greatest = least;
+      for (int y = j - 1; y <= j + 2; ++y) {
+        for (int x = i - 1; x <= i + 2; ++x) {
+          least = std::min(least, depth.Row(y)[x]);
+          greatest = std::max(greatest, depth.Row(y)[x]);
+        }
+      }
+      nearest.Row(j)[i] = least;
+      farthest.Row(j)[i] = greatest;
+    }
+  }
+}
+
+}  // namespace warplut

@@ -1,0 +1,60 @@
+// A rendered frame as the passes read it: planes of checked floats.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "runtime/color_encoding.h"
+#include "runtime/gates.h"
+#include "runtime/sr/plane.h"
+
+namespace warplut {
+
+struct RenderPlanes {
+  RenderPlanes() = default;
+  RenderPlanes(int width, int height)
+      : color{{width, height}, {width, height}, {width, height}},
+        depth(width, height),
+        motion_x(width, height),
+        motion_y(width, height) {}
+
+  std::size_t bytes() const { return 3 * color[0].bytes() + depth.bytes() + 2 * motion_x.bytes(); }
+
+  Plane color[3];            // R, G, B in [0, 1]; linear HDR is tone-mapped
+  Plane depth;               // in [0, kFarthestDepth]
+  Plane motion_x, motion_y;  // render pixels; NaN where either component is not finite
+};
+
+inline float SanitizeDepth(float depth) {
+  return depth >= 0 && depth < kFarthestDepth ? depth : kFarthestDepth;
+}
+
+// Whether both components are finite.
+inline bool IsFiniteMotion(float x, float y) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  return std::abs(x) <= kLargest && std::abs(y) <= kLargest;
+}
+
+// (r, g, b) as blends and histories hold it.
+inline void EncodeColor(ColorEncoding encoding, float (&rgb)[3]) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  for (float& channel : rgb) {
+    const float finite = std::abs(channel) <= kLargest ? channel : 0.0f;
+    const float positive = std::max(finite, 0.0f);
+    channel = encoding == ColorEncoding::kDisplay ? std::min(positive, 1.0f) : positive;
+  }
+  if (encoding == ColorEncoding::kLinearHdr) {
+    const float factor = ToneMapFactor(std::max(rgb[0], std::max(rgb[1], rgb[2])));
+    for (float& channel : rgb) channel *= factor;
+  }
+}
+
+// The way back, from [0, 1].
+inline void DecodeColor(ColorEncoding encoding, float (&rgb)[3]) {
+  if (encoding == ColorEncoding::kDisplay) return;
+  const float factor = InverseToneMapFactor(std::max(rgb[0], std::max(rgb[1], rgb[2])));
+  for (float& channel : rgb) channel *= factor;
+}
+
+}  // namespace warplut

@@ -1,0 +1,150 @@
+// Residuals, and how the new samples enter the history, per target.
+#if defined(WARPLUT_RUNTIME_SR_UPDATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef WARPLUT_RUNTIME_SR_UPDATE_INL_H_
+#undef WARPLUT_RUNTIME_SR_UPDATE_INL_H_
+#else
+#define WARPLUT_RUNTIME_SR_UPDATE_INL_H_
+#endif
+
+#include "runtime/sr/color-inl.h"
+#include "runtime/warp_general-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace warplut {
+namespace HWY_NAMESPACE {
+
+// The prediction at a sample is a 4 x 4 window of it: what the warp sums.
+void Residual(const SrJob& job, int begin, int end, Plane* residual) {
+  const FloatTag d;
+  const TapPolynomials taps{WarpOptions{}};  // Catmull-Rom
+  const ImageView predicted = job.next;
+  const float unit = predicted.format == PixelFormat::kRgba8 ? 1.0f / 255.0f : 1.0f;
+  const auto slack = hn::Set(d, ResidualSlack(predicted.format));
+  PixelRow r;
+  for (int j = begin; j < end; ++j) {
+    const int ty = job.y.texel()[j];
+    const bool inside_y = ty > 0 && ty < job.y.output() - kTaps / 2;
+    for (int x = 0; x < job.x.render(); x += kRowPixels) {
+      r.count = std::min(kRowPixels, job.x.render() - x);
+      r.padded = (r.count + kLanes - 1) / kLanes * kLanes;
+      std::copy_n(job.x.texel() + x, r.padded, r.texel_x);
+      std::copy_n(job.x.share() + x, r.padded, r.offset_x);
+      std::fill_n(r.texel_y, r.padded, ty);
+      std::fill_n(r.offset_y, r.padded, job.y.share()[j]);
+      r.all_inside =
+          inside_y && r.texel_x[0] > 0 && r.texel_x[r.padded - 1] < job.x.output() - kTaps / 2;
+      ComputeWeights(taps, r);
+      SumRow(predicted, r.weights, r);
+      for (int p = 0; p < r.padded; p += kLanes) {
+        Pixels sums;
+        hn::LoadInterleaved4(d, r.sums + p * kRgba, sums.r, sums.g, sums.b, sums.a);
+        const Floats channels[3] = {sums.r, sums.g, sums.b};
+        for (int c = 0; c < 3; ++c) {
+          const auto sample = hn::LoadU(d, job.planes.color[c].Row(j) + x + p);
+          const auto difference = hn::NegMulAdd(channels[c], hn::Set(d, unit), sample);
+          const auto rounding = hn::Min(hn::Max(difference, hn::Neg(slack)), slack);
+          hn::StoreU(hn::Sub(difference, rounding), d, residual[c].Row(j) + x + p);
+        }
+      }
+    }
+    for (int c = 0; c < 3; ++c) residual[c].ExtendRow(j);
+  }
+}
+
+HWY_INLINE Floats DistanceOf(Floats dx, Floats dy) {
+  return hn::Sqrt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)));
+}
+
+HWY_INLINE Floats SampleWeights(float b, Floats distance) {
+  const FloatTag d;
+  return hn::Max(hn::NegMulAdd(hn::Set(d, b), distance, hn::Set(d, 1.0f)), hn::Zero(d));
+}
+
+HWY_INLINE Floats BlendShares(float a, Floats weight) {
+  const FloatTag d;
+  return hn::Min(hn::Mul(hn::Set(d, a), weight), hn::Set(d, 1.0f));
+}
+
+// Adds the residual rows, mixed for row y, to kLanes pixels.
+HWY_INLINE void AddResidual(const SrJob& job, int x, int y, const Plane& mixed, Pixels& p) {
+  const FloatTag d;
+  const Parameters& parameters = job.options.parameters;
+  const auto distance = DistanceOf(hn::LoadU(d, job.x.offset() + x), hn::Set(d, job.y.offset()[y]));
+  const auto share = BlendShares(parameters.blend_a, SampleWeights(parameters.blend_b, distance));
+  if (hn::AllTrue(d, hn::Le(share, hn::Zero(d)))) return;
+  const Columns cell(job.x.cell(), x);
+  const auto t = hn::LoadU(d, job.x.fraction() + x);
+  p.r = hn::MulAdd(share, cell.Mixed(mixed.Row(0), t), p.r);
+  p.g = hn::MulAdd(share, cell.Mixed(mixed.Row(1), t), p.g);
+  p.b = hn::MulAdd(share, cell.Mixed(mixed.Row(2), t), p.b);
+}
+
+// UpdateFromSamples for kLanes pixels, whose alpha is the validity.
+HWY_INLINE void BlendSamples(const SrJob& job, int x, int y, Pixels& p) {
+  const FloatTag d;
+  const IntTag di;
+  const Parameters& parameters = job.options.parameters;
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0f);
+  const Columns nearest(job.x.nearest(), x);
+  const auto i = hn::LoadU(di, job.x.nearest() + x);
+  const auto dx = hn::LoadU(d, job.x.offset() + x);
+  Pixels sum{zero, zero, zero, zero};
+  auto count = zero;
+  for (int dj = -1; dj <= 1; ++dj) {
+    const int j = job.y.nearest()[y] + dj;
+    if (j < 0 || j >= job.y.render()) continue;
+    const auto dy = hn::Set(d, job.y.offset()[y] - static_cast<float>(dj));
+    for (int step = -1; step <= 1; ++step) {
+      const auto column = hn::Add(i, hn::Set(di, step));
+      const auto in_frame =
+          hn::And(hn::Gt(column, hn::Set(di, -1)), hn::Lt(column, hn::Set(di, job.x.render())));
+      const auto distance = DistanceOf(hn::Sub(dx, hn::Set(d, static_cast<float>(step))), dy);
+      const auto near = hn::And(hn::RebindMask(d, in_frame), hn::Le(distance, one));
+      if (hn::AllFalse(d, near)) continue;
+      const auto weight = hn::IfThenElseZero(near, SampleWeights(parameters.blend_b, distance));
+      count = hn::Add(count, hn::IfThenElseZero(near, one));
+      sum.a = hn::Add(sum.a, weight);
+      sum.r = hn::MulAdd(weight, nearest.At(job.planes.color[0].Row(j) + step), sum.r);
+      sum.g = hn::MulAdd(weight, nearest.At(job.planes.color[1].Row(j) + step), sum.g);
+      sum.b = hn::MulAdd(weight, nearest.At(job.planes.color[2].Row(j) + step), sum.b);
+    }
+  }
+  const auto seen = hn::Gt(sum.a, zero);
+  const auto mean = hn::IfThenElseZero(seen, hn::Div(sum.a, hn::Max(count, one)));
+  const auto share = hn::Mul(p.a, BlendShares(parameters.blend_a, mean));
+  const auto inverse = hn::Div(one, hn::IfThenElse(seen, sum.a, one));
+  p.r = Mix(p.r, hn::Mul(sum.r, inverse), share);
+  p.g = Mix(p.g, hn::Mul(sum.g, inverse), share);
+  p.b = Mix(p.b, hn::Mul(sum.b, inverse), share);
+}
+
+void Update(const SrJob& job, int begin, int end, SrScratch& scratch, const MutableImageView& out) {
+  const FloatTag d;
+  const SuperResolutionOptions& options = job.options;
+  const bool residual = options.history && options.form == HistoryForm::kResidual;
+  const bool samples = options.history && options.form == HistoryForm::kSample;
+  for (int y = begin; y < end; ++y) {
+    const int j = job.y.cell()[y];
+    for (int c = 0; c < 3 && residual; ++c) {
+      MixRows(job.residual[c].Row(j), job.residual[c].Row(j + 1), job.y.fraction()[y],
+              job.x.render(), scratch.render_rows.Row(c));
+    }
+    for (int x = 0; x < job.x.output(); x += kLanes) {
+      const int left = job.x.output() - x;
+      Pixels p = LoadPixels(job.next, x, y, left);
+      if (residual) AddResidual(job, x, y, scratch.render_rows, p);
+      if (samples) BlendSamples(job, x, y, p);
+      p = {Limit(p.r), Limit(p.g), Limit(p.b), hn::Set(d, 1.0f)};
+      StorePixels(p, job.next, x, y, left);
+      DecodePixels(options.encoding, p);
+      StorePixels(p, out, x, y, left);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace warplut
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,100 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "datasets/image_io.h"
+#include "tests/datasets/temporary_folder.h"
+#include "tests/tools/program.h"
+#include "tests/train/pan_sequence.h"
+#include "tools/sequence_pictures.h"
+
+namespace warplut {
+namespace {
+
+using testing::HasSubstr;
+
+class EvalSequenceCommand : public testing::Test {
+ protected:
+  EvalSequenceCommand() { WritePan(folder_ / "pan"); }
+  std::string Path(const std::string& name) const { return folder_ / name; }
+
+  std::vector<std::string> Eval(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"eval", "--sequence", Path("pan"), "--filter",
+                                          "catmull-rom"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(EvalSequenceCommand, PutsBaselinesBesideTheMethods) {
+  const ProgramResult result = RunWarplut(Eval({"--modes", "sr,i", "--json"}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto document = nlohmann::json::parse(result.out);
+  const auto& methods = document["sequences"][0]["methods"];
+  std::vector<std::string> names;
+  for (const auto& method : methods) names.push_back(method["method"]);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"sr", "i", "bilinear", "bicubic", "repeat", "average"}));
+  EXPECT_GT(methods[0]["psnr"].get<double>(), methods[3]["psnr"].get<double>()) << "bicubic";
+  EXPECT_GT(methods[1]["psnr"].get<double>(), methods[5]["psnr"].get<double>()) << "average";
+  EXPECT_LT(methods[1]["temporal_error"].get<double>(), methods[4]["temporal_error"].get<double>());
+  EXPECT_EQ(methods[0]["frames"].size(), 5U);
+  EXPECT_EQ(methods[1]["frames"].size(), 2U);
+}
+
+TEST_F(EvalSequenceCommand, PrintsATableForEachSequenceAndTheMean) {
+  WritePan(folder_ / "slow", {.speed_x = 0.5});
+  const ProgramResult result =
+      RunWarplut({"eval", "--sequence", Path("pan"), Path("slow"), "--modes", "sr-sample",
+                  "--filter", "bilinear", "--texels", "--markdown"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("| pan, texels | PSNR dB | SSIM | temporal | ms/frame |"));
+  EXPECT_THAT(result.out, HasSubstr("| mean |"));
+  EXPECT_THAT(result.out, HasSubstr("| sr-sample |"));
+}
+
+TEST_F(EvalSequenceCommand, AMissedTargetIsThree) {
+  EXPECT_EQ(RunWarplut(Eval({"--target", "sr,20,.5"})).code, 0);
+  const ProgramResult missed = RunWarplut(Eval({"--target", "sr,99,.5"}));
+  EXPECT_EQ(missed.code, 3);
+  EXPECT_THAT(missed.out, HasSubstr("missed: sr on pan"));
+  ExpectRefused(RunWarplut(Eval({"--target", "i,20,.5"})), 1, "'i,20,.5'");
+  ExpectRefused(RunWarplut(Eval({"--target", "sr,20"})), 1, "METHOD,PSNR,SSIM");
+}
+
+TEST_F(EvalSequenceCommand, WritesPictures) {
+  const ProgramResult result = RunWarplut(Eval({"--modes", "sr", "--pictures", Path("pictures")}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("-error.png: reference | sr | bilinear | bicubic"));
+  int pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(Path("pictures"))) {
+    const ImageInfo info = ReadImageInfo(entry.path());
+    EXPECT_EQ(info.width, 4 * 80 * kWindowZoom + 3 * kPicturePanelGap);
+    EXPECT_EQ(info.height, 64 * kWindowZoom);
+    ++pictures;
+  }
+  EXPECT_GE(pictures, kWindowsOfAKind);
+}
+
+TEST_F(EvalSequenceCommand, RefusesWhatMakesNoSense) {
+  ExpectRefused(RunWarplut({"eval"}), 1, "--images or --sequence");
+  ExpectRefused(RunWarplut({"eval", "--images", Path("pan")}), 1, "--lut");
+  ExpectRefused(RunWarplut(Eval({"--images", Path("pan")})), 1, "");
+  ExpectRefused(RunWarplut(Eval({"--modes", "sr,srr"})), 1, "'srr'");
+  ExpectRefused(RunWarplut(Eval({"--every", "1"})), 1, "");
+  ExpectRefused(RunWarplut(Eval({"--border", "30"})), 2, "border of 30");
+  ExpectRefused(RunWarplut(Eval({"--frames", "10:10"})), 2, "showed no frame");
+  WritePan(folder_ / "blind", {.streams = Streams::kRenderGrid});
+  ExpectRefused(RunWarplut({"eval", "--sequence", Path("blind"), "--filter", "bilinear"}), 2,
+                "'reference'");
+  WritePan(folder_ / "odd", {.output = {60, 64}});
+  ExpectRefused(RunWarplut({"eval", "--sequence", Path("odd"), "--filter", "bilinear", "--texels"}),
+                2, "whole scale");
+}
+
+}  // namespace
+}  // namespace warplut

@@ -1,0 +1,187 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "datasets/file.h"
+#include "datasets/image_io.h"
+#include "tests/datasets/temporary_folder.h"
+#include "tests/tools/program.h"
+#include "tests/train/pan_sequence.h"
+
+namespace warplut {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr int kUsage = 1;
+constexpr int kFailed = 2;
+
+class RunCommand : public testing::Test {
+ protected:
+  RunCommand() { WritePan(folder_ / "pan"); }
+  std::string Path(const std::string& name) const { return folder_ / name; }
+
+  // A command line; `more` comes last, and an option in it takes the place of one that is there already.
+  std::vector<std::string> Arguments(const std::string& mode,
+                                     const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"run", "--mode", mode};
+    for (const auto& [option, value] : {std::pair{"--sequence", Path("pan")},
+                                        {"--filter", "catmull-rom"},
+                                        {"--out", Path("out")}}) {
+      if (std::find(more.begin(), more.end(), option) != more.end()) continue;
+      arguments.insert(arguments.end(), {option, value});
+    }
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  std::set<std::string> Files(const std::string& name) const {
+    std::set<std::string> files;
+    for (const auto& entry : fs::directory_iterator(Path(name))) {
+      files.insert(entry.path().filename().string());
+    }
+    return files;
+  }
+
+  // With the manifest's text changed.
+  void Rewrite(const std::string& from, const std::string& to) const {
+    const fs::path manifest = folder_ / "pan" / "sequence.json";
+    std::string text = ReadFile(manifest);
+    const auto place = text.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+    WriteFile(manifest, text);
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(RunCommand, WritesSuperResolvedFrames) {
+  const ProgramResult result = RunWarplut(Arguments("sr"));
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(result.err.empty()) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("6 frames of pan"));
+  EXPECT_EQ(Files("out"), (std::set<std::string>{"0010.png", "0011.png", "0012.png", "0013.png",
+                                                 "0014.png", "0015.png"}));
+  const ImageInfo info = ReadImageInfo(Path("out/0015.png"));
+  EXPECT_EQ(info.width, 80);
+  EXPECT_EQ(info.bits, 8);
+}
+
+TEST_F(RunCommand, NamesGeneratedFramesByTheirTime) {
+  ASSERT_EQ(RunWarplut(Arguments("i", {"--every", "2", "--format", "exr"})).code, 0);
+  EXPECT_EQ(Files("out"),
+            (std::set<std::string>{"0010.exr", "0011.exr", "0012.exr", "0013.exr", "0014.exr"}));
+  EXPECT_EQ(ReadImageInfo(Path("out/0011.exr")).bits, 16);
+  const ProgramResult result = RunWarplut(Arguments(
+      "isr", {"--out", Path("two"), "--frames", "12:13", "--alpha", "0.25,0.5", "--json"}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(Files("two"),
+            (std::set<std::string>{"0012.png", "0012_250.png", "0012_500.png", "0013.png"}));
+  EXPECT_EQ(nlohmann::json::parse(result.out)["files"][1], "0012_250.png");
+}
+
+TEST_F(RunCommand, ScoresWhatItWrites) {
+  const ProgramResult text = RunWarplut(Arguments("i", {"--every", "2", "--score"}));
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("0013"));
+  EXPECT_THAT(text.out, HasSubstr("mean"));
+  const ProgramResult json =
+      RunWarplut(Arguments("sr", {"--score", "--json", "--motion-filter", "on", "--history",
+                                  "rgba32f", "--texels", "--threads", "1"}));
+  ASSERT_EQ(json.code, 0) << json.err;
+  const auto document = nlohmann::json::parse(json.out);
+  EXPECT_EQ(document["filter"], "catmull-rom");
+  EXPECT_EQ(document["files"].size(), 6U);
+  EXPECT_GT(document["scores"]["methods"][0]["psnr"].get<double>(), 20);
+  ExpectRefused(RunWarplut(Arguments("i", {"--score"})), kFailed, "showed no frame");
+}
+
+TEST_F(RunCommand, TheSameFilesForAnyNumberOfThreads) {
+  ASSERT_EQ(RunWarplut(Arguments("esr", {"--threads", "1"})).code, 0);
+  ASSERT_EQ(RunWarplut(Arguments("esr", {"--threads", "3", "--out", Path("three")})).code, 0);
+  for (const std::string& file : Files("out")) {
+    EXPECT_EQ(ReadFile(Path("out/" + file)), ReadFile(Path("three/" + file))) << file;
+  }
+}
+
+TEST_F(RunCommand, RefusesWhatMakesNoSense) {
+  ExpectRefused(RunWarplut(Arguments("srr")), kUsage, "'srr' is not a method");
+  ExpectRefused(RunWarplut(Arguments("sr", {"--lut", "a.json"})), kUsage, "--lut FILE or --filter");
+  ExpectRefused(
+      RunWarplut({"run", "--mode", "sr", "--sequence", Path("pan"), "--out", Path("out")}), kUsage,
+      "--lut FILE or --filter");
+  ExpectRefused(RunWarplut(Arguments("i", {"--alpha", "0"})), kUsage, "alpha is 0");
+  ExpectRefused(RunWarplut(Arguments("i", {"--alpha", "1.5"})), kUsage, "alpha is 1.5");
+  ExpectRefused(RunWarplut(Arguments("i", {"--alpha", ".5,.2"})), kUsage, "ascending");
+  ExpectRefused(RunWarplut(Arguments("i", {"--alpha", ".5", "--generated", "2"})), kUsage, "");
+  ExpectRefused(RunWarplut(Arguments("i", {"--generated", "0"})), kUsage, "generated is 0");
+  ExpectRefused(RunWarplut(Arguments("i", {"--every", "0"})), kUsage, "");
+  ExpectRefused(RunWarplut(Arguments("sr", {"--history", "rgb"})), kUsage, "rgb");
+  ExpectRefused(RunWarplut(Arguments("sr", {"--motion-filter", "maybe"})), kUsage, "maybe");
+  ExpectRefused(RunWarplut(Arguments("sr", {"--frames", "12"})), kFailed, "A:B");
+  ExpectRefused(RunWarplut(Arguments("sr", {"--frames", "9:12"})), kFailed, "frames 10 to 15");
+  ExpectRefused(RunWarplut(Arguments("i", {"--frames", "12:12"})), kFailed, "needs two");
+  EXPECT_FALSE(fs::exists(Path("out")));
+}
+
+TEST_F(RunCommand, RefusesDamagedInputs) {
+  WriteFile(Path("params.json"),
+            R"({"format": "warplut-parameters", "version": 1, "parameters": {"blend_b": 17}})");
+  ExpectRefused(RunWarplut(Arguments("sr", {"--params", Path("params.json")})), kFailed, "blend_b");
+  ExpectRefused(RunWarplut(Arguments("sr", {"--params", Path("none.json")})), kFailed, "none.json");
+  ExpectRefused(RunWarplut(Arguments("sr", {"--sequence", Path("nowhere")})), kFailed, "nowhere");
+  fs::remove(Path("pan/lr/depth/0013.exr"));  // a gap in the numbers
+  ExpectRefused(RunWarplut(Arguments("sr")), kFailed, "0013.exr");
+  ExpectRefused(RunWarplut({"run", "--mode", "sr", "--sequence", Path("pan"), "--lut",
+                            Path("pan/sequence.json"), "--out", Path("out")}),
+                kFailed, "sequence.json");
+  EXPECT_FALSE(fs::exists(Path("out")));
+}
+
+TEST_F(RunCommand, RefusesGridsThatTheFilesDoNotHave) {
+  Rewrite("\"width\":40", "\"width\":41");
+  ExpectRefused(RunWarplut(Arguments("sr")), kFailed, "expected 41 x 32");
+}
+
+TEST_F(RunCommand, NamesTheStreamThatIsAbsent) {
+  WritePan(folder_ / "flat", {.streams = Streams::kColor | Streams::kReference});
+  ExpectRefused(RunWarplut(Arguments("sr", {"--sequence", Path("flat")})), kFailed, "'depth'");
+  ExpectRefused(RunWarplut(Arguments("i", {"--sequence", Path("flat")})), kFailed,
+                "'reference_depth'");
+  ExpectRefused(RunWarplut(Arguments("bicubic", {"--sequence", Path("flat"), "--score"})), kFailed,
+                "'reference_depth'");
+  EXPECT_EQ(RunWarplut(Arguments("bicubic", {"--sequence", Path("flat")})).code, 0);
+}
+
+TEST_F(RunCommand, LinearColourIsWrittenAsExr) {
+  WritePan(folder_ / "linear", {.frames = 2, .color_space = ColorSpace::kLinear});
+  ExpectRefused(RunWarplut(Arguments("sr", {"--sequence", Path("linear"), "--format", "png"})),
+                kUsage, "--format exr");
+  ASSERT_EQ(RunWarplut(Arguments("sr", {"--sequence", Path("linear")})).code, 0);
+  EXPECT_EQ(Files("out"), (std::set<std::string>{"0010.exr", "0011.exr"}));
+}
+
+TEST_F(RunCommand, LeavesWholeFilesWhereItIsStopped) {
+  const ProgramResult full = RunWarplut(
+      Arguments("sr"), {.standard_output = {}, .file_size_limit = 2000, .signal_when = {}});
+  ExpectRefused(full, kFailed, "0010.png");
+  EXPECT_TRUE(Files("out").empty());
+  WritePan(folder_ / "long", {.frames = 60, .render = {200, 160}, .output = {400, 320}});
+  const ProgramResult stopped =
+      RunWarplut(Arguments("sr", {"--sequence", Path("long"), "--out", Path("stopped")}),
+                 {.standard_output = {}, .signal_when = Path("stopped/0011.png")});
+  ExpectRefused(stopped, kFailed, "interrupted");
+  for (const std::string& file : Files("stopped")) {
+    EXPECT_EQ(ReadImage(Path("stopped/" + file)).width, 400) << file;
+  }
+}
+
+}  // namespace
+}  // namespace warplut

@@ -1,0 +1,165 @@
+// warplut cross: LUTs in the loop of super resolution, at upscale factors that they were trained for and at others.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "luts/filters.h"
+#include "luts/table_io.h"
+#include "tools/command.h"
+#include "tools/image_set.h"
+#include "tools/interrupt.h"
+#include "tools/progress.h"
+#include "tools/sr_cross.h"
+#include "tools/table_text.h"
+#include "train/keys_search.h"
+#include "train/trainer.h"
+
+namespace warplut {
+namespace {
+
+struct CrossArguments {
+  std::vector<std::string> images;
+  std::vector<std::string> luts;
+  std::vector<double> scales = {1.3, 1.5, 1.7, 2, 3, 4};
+  TrainOptions options;  // but for the scale
+  bool markdown = false;
+  bool json = false;
+};
+
+std::vector<CrossFilter> LoadFilters(const std::vector<std::string>& luts) {
+  std::vector<CrossFilter> filters = {{"catmull-rom", KeysCanonicalWeights(kCatmullRomA)}};
+  for (const std::string& path : luts) {
+    const LoadedTable loaded = LoadTable(path);
+    filters.push_back({loaded.name, CanonicalTableWeights(loaded.table)});
+  }
+  return filters;
+}
+
+// Rows are filters, columns factors.
+TextTable LossTable(const std::vector<CrossFilter>& filters,
+                    const std::vector<CrossColumn>& columns) {
+  TextTable table{.header = {"L at factor"}, .rows = {}};
+  for (const CrossFilter& filter : filters) table.rows.push_back({filter.name});
+  table.rows.push_back({"best Keys kernel"});
+  table.rows.push_back({"its a"});
+  for (const CrossColumn& column : columns) {
+    table.header.push_back(fmt::format("{}", column.options.scale));
+    for (std::size_t i = 0; i < filters.size(); ++i) {
+      table.rows[i].push_back(fmt::format("{:.4f}", column.scores[i].loss));
+    }
+    table.rows[filters.size()].push_back(fmt::format("{:.4f}", column.keys.loss));
+    table.rows[filters.size() + 1].push_back(fmt::format("{:.2f}", column.keys_a));
+  }
+  return table;
+}
+
+// Rows are filters and factors, columns protocols: those of one factor.
+TextTable SsimTable(const std::vector<CrossFilter>& filters, const CrossColumn& column) {
+  TextTable table{.header = {fmt::format("SSIM at factor {}", column.options.scale)}, .rows = {}};
+  table.header.insert(table.header.end(), column.protocols.begin(), column.protocols.end());
+  const auto add = [&](const std::string& name, const CrossScore& score) {
+    std::vector<std::string>& row = table.rows.emplace_back(1, name);
+    for (const double ssim : score.ssim) row.push_back(fmt::format("{:.4f}", ssim));
+  };
+  for (std::size_t i = 0; i < filters.size(); ++i) add(filters[i].name, column.scores[i]);
+  add(fmt::format("keys:{:.2f}", column.keys_a), column.keys);
+  return table;
+}
+
+Json ToJson(const std::vector<CrossFilter>& filters, const std::vector<CrossColumn>& columns) {
+  Json factors = Json::array();
+  for (const CrossColumn& column : columns) {
+    Json scores = Json::array();
+    const auto add = [&](const std::string& name, const CrossScore& score) {
+      scores.push_back({{"filter", name}, {"loss", score.loss}, {"ssim", score.ssim}});
+    };
+    for (std::size_t i = 0; i < filters.size(); ++i) add(filters[i].name, column.scores[i]);
+    add("keys", column.keys);
+    factors.push_back({{"scale", column.options.scale},
+                       {"blend_a", *column.options.blend_a},
+                       {"blend_b", *column.options.blend_b},
+                       {"pan_share", *column.options.pan_share},
+                       {"crops", column.options.crops},
+                       {"keys_a", column.keys_a},
+                       {"protocols", column.protocols},
+                       {"scores", scores}});
+  }
+  return {{"factors", factors}};
+}
+
+ExitCode RunCross(CrossArguments arguments) {
+  TrainOptions& options = arguments.options;
+  options.objective = TrainObjective::kSr;
+  for (const double scale : arguments.scales) {
+    options.scale = scale;
+    std::string why;
+    RequireUsage(options.IsValid(&why), why);
+  }
+  std::optional<tbb::global_control> limit;
+  if (options.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(options.threads));
+  }
+  const std::vector<CrossFilter> filters = LoadFilters(arguments.luts);
+  const std::vector<Image> luma =
+      CheckedLuma(LoadImages({arguments.images.begin(), arguments.images.end()}));
+  std::vector<CrossColumn> columns;
+  {
+    Progress progress("judging", static_cast<double>(arguments.scales.size()), "factors");
+    for (const double scale : arguments.scales) {
+      ThrowIfInterrupted("cross", "nothing was printed");
+      options.scale = scale;
+      columns.push_back(JudgeAtScale(filters, luma, options));
+      progress.Add(1);
+    }
+  }
+  if (arguments.json) {
+    PrintJson(ToJson(filters, columns));
+    return ExitCode::kDone;
+  }
+  const auto print = [&](const TextTable& table) {
+    Print(arguments.markdown ? ToMarkdown(table) : ToText(table));
+  };
+  print(LossTable(filters, columns));
+  for (const CrossColumn& column : columns) {
+    Print("\n");
+    print(SsimTable(filters, column));
+  }
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void AddCrossCommand(CLI::App& app, CommandRun* run) {
+  const auto arguments = std::make_shared<CrossArguments>();
+  CrossArguments& a = *arguments;
+  CLI::App* command = app.add_subcommand(
+      "cross", "Judge LUTs in the loop of super resolution, across upscale factors");
+  command
+      ->add_option("--images", a.images, "Images, folders of them, or sequences (their references)")
+      ->required();
+  command
+      ->add_option("--luts", a.luts, "Fits, baked tables (.json), or .exr in the released layout")
+      ->required();
+  command->add_option("--scales", a.scales, "Upscale factors, in [1, 4]")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--blend-a", a.options.blend_a,
+                      "Share of a sample on the pixel centre (default: the pipeline's)");
+  command->add_option("--blend-b", a.options.blend_b,
+                      "How fast it falls with the distance (default: the pipeline's)");
+  command->add_option("--pan-share", a.options.pan_share,
+                      "Share of constant motion in L, in [0, 1) (default: the trainer's)");
+  command->add_option("--crops", a.options.crops,
+                      "Number of crops to judge by (default: the trainer's)");
+  command->add_option("--seed", a.options.seed, "Of crops and trajectories")->capture_default_str();
+  command->add_option("--threads", a.options.threads, "Threads (default: all)");
+  command->add_flag("--markdown", a.markdown, "Print Markdown tables");
+  AddJsonOption(*command, &a.json);
+  command->callback([arguments, run] { *run = [arguments] { return RunCross(*arguments); }; });
+}
+
+}  // namespace warplut

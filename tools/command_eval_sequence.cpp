@@ -1,0 +1,221 @@
+#include "tools/command_eval_sequence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "tools/interrupt.h"
+#include "tools/pipeline_options.h"
+#include "tools/progress.h"
+#include "tools/sequence_pictures.h"
+#include "tools/sequence_report.h"
+
+namespace warplut {
+namespace {
+
+using MethodList = std::vector<const MethodInfo*>;
+
+bool Generates(const MethodInfo& method) { return method.generation != Generation::kNone; }
+
+// Methods that read no parameter are there to compare with.
+bool IsBaseline(const MethodInfo& method) { return method.parameters.empty(); }
+
+// Whether the two show frames of one kind, from inputs of one kind.
+bool AreComparable(const MethodInfo& a, const MethodInfo& b) {
+  return a.super_resolution == b.super_resolution && Generates(a) == Generates(b);
+}
+
+// The methods that were asked for, then the baselines to compare them with.
+MethodList JudgedMethods(const std::vector<std::string>& modes) {
+  MethodList methods;
+  const auto add = [&](const MethodInfo& method) {
+    if (std::find(methods.begin(), methods.end(), &method) == methods.end()) {
+      methods.push_back(&method);
+    }
+  };
+  for (const std::string& mode : modes) add(MethodOf(mode));
+  const MethodList asked = methods;
+  for (const MethodInfo& method : Methods()) {
+    if (!IsBaseline(method)) continue;
+    if (std::any_of(asked.begin(), asked.end(),
+                    [&](const MethodInfo* one) { return AreComparable(*one, method); })) {
+      add(method);
+    }
+  }
+  return methods;
+}
+
+// One sequence in memory: what is judged by, which is also what methods that see every frame run on, and what methods that
+// generate run on.
+struct LoadedSequence {
+  std::string name;
+  Clip truth;
+  std::optional<Clip> sparse;
+
+  const Clip& ClipFor(const MethodInfo& method) const {
+    return Generates(method) ? *sparse : truth;
+  }
+};
+
+LoadedSequence LoadSequence(const SequenceEvalArguments& arguments, const Pipeline& pipeline,
+                            const std::string& path, const MethodList& methods) {
+  const Sequence sequence = ReadSequenceFor(pipeline, path);
+  const FrameRange range = ParseFrames(arguments.pipeline.frames, sequence);
+  MethodList dense, sparse;
+  for (const MethodInfo* method : methods) {
+    (Generates(*method) ? sparse : dense).push_back(method);
+  }
+  LoadedSequence loaded;
+  loaded.name = sequence.name + (arguments.pipeline.texels ? ", texels" : "");
+  loaded.truth = pipeline.Load(sequence, range, dense, kTruthStreams, 1);
+  if (!sparse.empty()) {
+    loaded.sparse = pipeline.Load(sequence, range, sparse, Streams::kNone, arguments.every);
+  }
+  return loaded;
+}
+
+class SequenceEval {
+ public:
+  SequenceEval(const SequenceEvalArguments& arguments, MethodList methods)
+      : arguments_(arguments),
+        methods_(std::move(methods)),
+        pipeline_(arguments.pipeline),
+        pool_(arguments.pipeline.threads) {}
+
+  const std::string& filter_name() const { return pipeline_.filter_name(); }
+
+  SequenceReport Judge(const std::string& path) {
+    const LoadedSequence loaded = LoadSequence(arguments_, pipeline_, path, methods_);
+    SequenceReport report{.sequence = loaded.name, .methods = {}};
+    Progress progress("judging " + loaded.name, static_cast<double>(methods_.size()), "methods");
+    for (const MethodInfo* method : methods_) {
+      SequenceJudge judge(loaded.truth, *method, arguments_.border);
+      Run(loaded, *method, [&](const ShownFrame& shown) { judge.Add(shown); });
+      report.methods.push_back(judge.Finish());
+      progress.Add(1);
+    }
+    if (!arguments_.pictures.empty()) WritePictures(loaded);
+    return report;
+  }
+
+  // One line for each picture that was written.
+  const std::vector<std::string>& pictures() const { return pictures_; }
+
+ private:
+  void Run(const LoadedSequence& loaded, const MethodInfo& method, const ShownFrameSink& sink) {
+    const ModeRunOptions options =
+        pipeline_.Options(method, Generates(method) ? arguments_.every : 1);
+    const Clip& clip = loaded.ClipFor(method);
+    std::string why;
+    if (!options.IsValid(clip, &why)) throw Error(why);
+    RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
+      ThrowIfInterrupted("eval", "nothing was printed");
+      sink(shown);
+    });
+  }
+
+  void RunJudged(const LoadedSequence& loaded, const MethodInfo& method,
+                 const ShownFrameSink& sink) {
+    Run(loaded, method, [&](const ShownFrame& shown) {
+      if (IsJudged(method, shown)) sink(shown);
+    });
+  }
+
+  void WritePictures(const LoadedSequence& loaded) {
+    WindowChooser chooser(loaded.truth);
+    RunJudged(loaded, *methods_.front(), [&](const ShownFrame& shown) { chooser.Add(shown); });
+    SequencePictures pictures(loaded.truth, chooser.Windows());
+    for (const MethodInfo* method : methods_) {
+      RunJudged(loaded, *method,
+                [&](const ShownFrame& shown) { pictures.Add(method->name, shown); });
+    }
+    for (const std::string& line : pictures.Write(arguments_.pictures)) pictures_.push_back(line);
+  }
+
+  const SequenceEvalArguments& arguments_;
+  const MethodList methods_;
+  const Pipeline pipeline_;
+  ThreadPool pool_;
+  std::vector<std::string> pictures_;
+};
+
+// The methods and targets, or a UsageError.
+struct CheckedArguments {
+  MethodList methods;
+  std::vector<SequenceTarget> targets;
+};
+
+CheckedArguments Check(const SequenceEvalArguments& arguments) {
+  CheckedArguments checked;
+  checked.methods = JudgedMethods(arguments.modes);
+  CheckArguments(arguments.pipeline);
+  for (const std::string& text : arguments.targets) {
+    const SequenceTarget target = ParseSequenceTarget(text);
+    if (std::none_of(checked.methods.begin(), checked.methods.end(),
+                     [&](const MethodInfo* method) { return target.method == method->name; })) {
+      throw Error(fmt::format("the target '{}' names a method that --modes does not", text));
+    }
+    checked.targets.push_back(target);
+  }
+  return checked;
+}
+
+}  // namespace
+
+CLI::Option* AddSequenceOptions(CLI::App& eval, SequenceEvalArguments* arguments) {
+  SequenceEvalArguments& a = *arguments;
+  CLI::Option* sequence =
+      eval.add_option("--sequence", a.sequences,
+                      "Sequences with references: judge methods on them, in place of images");
+  eval.add_option("--modes", a.modes, "Methods (see 'run --help'); baselines are added")
+      ->delimiter(',')
+      ->capture_default_str();
+  eval.add_option("--every", a.every, "For methods that generate, one frame in so many is rendered")
+      ->check(CLI::Range(2, 64))
+      ->capture_default_str();
+  eval.add_option("--border", a.border, "Pixels at each edge that do not count, on sequences")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  AddPipelineOptions(eval, &a.pipeline);
+  return sequence;
+}
+
+ExitCode RunSequenceEval(const SequenceEvalArguments& arguments) {
+  CheckedArguments checked;
+  try {
+    checked = Check(arguments);
+  } catch (const Error& wrong) {
+    throw UsageError(wrong.what());
+  }
+  SequenceEval eval(arguments, checked.methods);
+  std::vector<SequenceReport> reports;
+  for (const std::string& path : arguments.sequences) reports.push_back(eval.Judge(path));
+  std::vector<std::string> missed;
+  for (const SequenceTarget& target : checked.targets) {
+    for (std::string& sentence : MissedSequences(target, reports)) {
+      missed.push_back(std::move(sentence));
+    }
+  }
+
+  if (arguments.json) {
+    Json sequences = Json::array();
+    for (const SequenceReport& report : reports) sequences.push_back(ToJson(report));
+    PrintJson({{"filter", eval.filter_name()},
+               {"texels", arguments.pipeline.texels},
+               {"sequences", sequences},
+               {"pictures", eval.pictures()},
+               {"missed", missed}});
+  } else {
+    if (reports.size() > 1) reports.push_back(MeanReport(reports));
+    for (const SequenceReport& report : reports) {
+      const TextTable table = MethodTable(report);
+      Print((arguments.markdown ? ToMarkdown(table) : ToText(table)) + "\n");
+    }
+    for (const std::string& line : eval.pictures()) Print(line + "\n");
+    for (const std::string& sentence : missed) Print("missed: " + sentence + "\n");
+  }
+  return missed.empty() ? ExitCode::kDone : ExitCode::kMissed;
+}
+
+}  // namespace warplut

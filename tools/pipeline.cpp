@@ -1,0 +1,151 @@
+#include "tools/pipeline.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+#include "datasets/error.h"
+#include "datasets/jitter.h"
+#include "luts/certificate.h"
+#include "tools/protocol_filter.h"
+#include "train/clip_texels.h"
+#include "train/parameters_file.h"
+
+namespace warplut {
+namespace {
+
+constexpr PixelFormat kHistoryFormats[] = {PixelFormat::kRgba8, PixelFormat::kRgba16F,
+                                           PixelFormat::kRgba32F};
+
+// Scales that round to the same hundredth are one.
+constexpr double kSameScale = 0.005;
+
+double ScaleOf(const Sequence& sequence) {
+  return std::sqrt(static_cast<double>(sequence.output.width) / sequence.render.width *
+                   sequence.output.height / sequence.render.height);
+}
+
+std::optional<int> ParseNumber(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+FrameRange ParseFrames(const std::string& text, const Sequence& sequence) {
+  if (text.empty()) return {.first = 0, .count = sequence.count};
+  const auto colon = text.find(':');
+  const auto a = ParseNumber(std::string_view(text).substr(0, colon));
+  const auto b = colon == std::string::npos ? std::nullopt
+                                            : ParseNumber(std::string_view(text).substr(colon + 1));
+  if (!a || !b || *a > *b) {
+    throw Error(fmt::format(
+        "the frames are '{}'; expected A:B, the numbers of the first and the last", text));
+  }
+  const int last = sequence.first + sequence.count - 1;
+  if (*a < sequence.first || *b > last) {
+    throw Error(
+        fmt::format("the sequence '{}' has frames {} to {}; the frames {} are not all there",
+                    sequence.name, sequence.first, last, text));
+  }
+  return {.first = *a - sequence.first, .count = *b - *a + 1};
+}
+
+std::vector<std::string> HistoryFormatNames() {
+  std::vector<std::string> names;
+  for (const PixelFormat format : kHistoryFormats) names.emplace_back(Name(format));
+  return names;
+}
+
+const MethodInfo& MethodOf(const std::string& name) {
+  const MethodInfo* method = FindMethod(name);
+  if (method != nullptr) return *method;
+  std::vector<std::string> known;
+  for (const MethodInfo& info : Methods()) known.emplace_back(info.name);
+  throw Error(fmt::format("'{}' is not a method; expected {}", name, fmt::join(known, ", ")));
+}
+
+void CheckArguments(const PipelineArguments& arguments) {
+  if (arguments.lut.empty() == arguments.filter.empty()) {
+    throw Error("the filter of the history is not clear; expected --lut FILE or --filter NAME");
+  }
+  if (!arguments.filter.empty() && !NamedWarp(arguments.filter)) {
+    throw Error(fmt::format(
+        "'{}' is not a filter; expected bilinear, catmull-rom or keys:A with A in [-1, 0]",
+        arguments.filter));
+  }
+  // What holds for every clip; RunMode's own check is for the clip in hand.
+  ModeRunOptions options;
+  options.generated = arguments.generated;
+  options.alphas = arguments.alphas;
+  std::string why;
+  if (!AreTimesValid(options, &why)) throw Error(why);
+}
+
+Pipeline::Pipeline(const PipelineArguments& arguments) : arguments_(arguments) {
+  CheckArguments(arguments);
+  if (arguments.lut.empty()) {
+    filter_name_ = arguments.filter;
+    warp_ = *NamedWarp(arguments.filter);
+  } else {
+    loaded_ = LoadTable(arguments.lut);
+    filter_name_ = loaded_->name;
+    table_.emplace(loaded_->table.view());
+    warp_ = {.filter = Filter::kLut,
+             .table = &*table_,
+             .lookup =
+                 arguments.lookup == Name(Lookup::kNearest) ? Lookup::kNearest : Lookup::kBilinear};
+  }
+  if (!arguments.params.empty()) parameters_ = ReadParameters(arguments.params);
+}
+
+ModeRunOptions Pipeline::Options(const MethodInfo& method, int every) const {
+  ModeRunOptions options;
+  options.method = &method;
+  options.every = every;
+  options.generated = arguments_.generated;
+  options.alphas = arguments_.alphas;
+  options.super_resolution.warp = warp_;
+  options.super_resolution.parameters = parameters_;
+  options.super_resolution.motion_filter = arguments_.motion_filter;
+  for (const PixelFormat format : kHistoryFormats) {
+    if (arguments_.history == Name(format)) options.super_resolution.history_format = format;
+  }
+  options.generation.warp = warp_;
+  options.generation.parameters = parameters_;
+  // Super resolution hands over motion that is filtered already.
+  options.generation.motion_filter = arguments_.motion_filter && !method.super_resolution;
+  return options;
+}
+
+std::optional<std::string> Pipeline::ScaleWarning(const Sequence& sequence) const {
+  if (!loaded_ || !loaded_->scale) return std::nullopt;
+  const double fitted = *loaded_->scale, wanted = ScaleOf(sequence);
+  if (std::abs(fitted - wanted) < kSameScale) return std::nullopt;
+  const auto safe = CertifyStability(loaded_->table.view()).any.safe_warps;
+  return fmt::format(
+      "the LUT '{}' was fitted for x{:.3g} and '{}' has x{:.3g}: history is warped about {} times "
+      "in "
+      "a jitter cycle instead of {}, and {} warps are safe",
+      loaded_->name, fitted, sequence.name, wanted, JitterCycle(wanted).size(),
+      JitterCycle(fitted).size(), safe ? fmt::format("{}", *safe) : "any number of");
+}
+
+Clip Pipeline::Load(const Sequence& sequence, const FrameRange& range,
+                    const std::vector<const MethodInfo*>& methods, Streams more, int every) const {
+  Streams which = more;
+  for (const MethodInfo* method : methods) {
+    which = which | NeededStreams(*method, AvailableStreams(sequence));
+  }
+  if (arguments_.texels) which = Streams::kOutputGrid;
+  Clip clip = LoadClip(sequence, range.first, range.count, which, every);
+  if (arguments_.texels) TakeTexels(clip);
+  return clip;
+}
+
+}  // namespace warplut

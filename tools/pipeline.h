@@ -1,0 +1,78 @@
+// What a person asks of a pipeline, checked and turned into the options of RunMode.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "datasets/sequence.h"
+#include "luts/table_io.h"
+#include "runtime/table.h"
+#include "train/mode_run.h"
+
+namespace warplut {
+
+// As on the command line. Exactly one of `lut` and `filter` is given.
+struct PipelineArguments {
+  std::string lut = {};
+  std::string filter = {};  // bilinear, catmull-rom or keys:A
+  std::string lookup = {};  // empty: bilinear
+  std::string params = {};  // empty: the defaults
+  std::string frames = {};  // A:B, numbers of the first and the last; empty: all
+  int generated = 1;
+  std::vector<float> alphas = {};
+  bool motion_filter = false;
+  std::string history = {};  // rgba8, rgba16f, rgba32f; empty: the runtime's default
+  bool texels = false;
+  int threads = 0;
+};
+
+// An Error says which argument makes no sense; no file is opened.
+void CheckArguments(const PipelineArguments& arguments);
+
+// A range of frames by index.
+struct FrameRange {
+  int first = 0;
+  int count = 0;
+};
+
+// "A:B", frame numbers, both included; empty stands for all. Error: something else, or frames that the sequence does not have.
+FrameRange ParseFrames(const std::string& text, const Sequence& sequence);
+
+// The formats that a history can have, by name.
+std::vector<std::string> HistoryFormatNames();
+
+// The method of that name; an Error lists those that exist.
+const MethodInfo& MethodOf(const std::string& name);
+
+class Pipeline {
+ public:
+  // Reads the LUT and the parameters. Errors as LoadTable and ReadParameters.
+  explicit Pipeline(const PipelineArguments& arguments);
+  Pipeline(const Pipeline&) = delete;
+  Pipeline& operator=(const Pipeline&) = delete;
+
+  // For RunMode; the pipeline outlives its use.
+  ModeRunOptions Options(const MethodInfo& method, int every) const;
+
+  // The filter's name: of the table, or as it was given.
+  const std::string& filter_name() const { return filter_name_; }
+
+  // A sentence if the LUT was fitted for another upscale factor than that of the sequence, and what that costs.
+  std::optional<std::string> ScaleWarning(const Sequence& sequence) const;
+
+  // The frames of the range with the streams that the methods take and `more`, texels taken if asked for. Error if the
+  // sequence lacks a stream (LoadFrame), or as TakeTexels.
+  Clip Load(const Sequence& sequence, const FrameRange& range,
+            const std::vector<const MethodInfo*>& methods, Streams more, int every) const;
+
+ private:
+  PipelineArguments arguments_;
+  std::string filter_name_;
+  std::optional<LoadedTable> loaded_;
+  std::optional<Table> table_;
+  WarpOptions warp_;
+  Parameters parameters_;
+};
+
+}  // namespace warplut

@@ -1,0 +1,23 @@
+// The options that commands with a pipeline share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/pipeline.h"
+
+namespace warplut {
+
+// Adds --params, --filter, --frames, --generated, --alpha, --motion-filter, --history and --texels. --lut, --lookup and
+// --threads are each command's own.
+void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments);
+
+// Prints a sentence on standard error, as a warning.
+void Warn(const std::string& sentence);
+
+// The reader of a sequence for a command: the manifest, and a warning where the LUT was fitted for another scale.
+Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path);
+
+}  // namespace warplut

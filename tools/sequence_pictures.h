@@ -1,0 +1,62 @@
+// Where methods differ from the reference, side by side for the eye.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "train/mode_run.h"
+
+namespace warplut {
+
+inline constexpr int kWindowSide = 96;      // pixels of the output grid
+inline constexpr int kWindowZoom = 3;       // pixels of a picture per pixel
+inline constexpr int kWindowsOfAKind = 2;   // by error, and by disocclusion
+inline constexpr int kPicturePanelGap = 8;  // pixels of a picture
+
+// A window of one frame, with its upper left corner; smaller images are taken whole.
+struct PictureWindow {
+  std::string kind;  // "error" or "disocclusion"
+  int frame = 0;     // index in the clip
+  int x = 0, y = 0;
+  double weight = 0;  // squared error in it, or number of pixels that were not visible before
+};
+
+// Finds the windows of the frames that one method is judged by where its squared error is largest, and those where most was just
+// revealed (WasVisible, tools/temporal_error.h). Windows lie on a grid of half their side; those of a kind are of different frames.
+class WindowChooser {
+ public:
+  // `truth` as for SequenceJudge; it outlives the chooser.
+  explicit WindowChooser(const Clip& truth) : truth_(truth) {}
+
+  void Add(const ShownFrame& shown);
+
+  // The heaviest first, of errors and then of disocclusions; windows that weigh nothing are left out.
+  std::vector<PictureWindow> Windows() const;
+
+ private:
+  const Clip& truth_;
+  std::vector<PictureWindow> errors_, disocclusions_;  // the heaviest of each frame
+};
+
+// One picture for each window: the reference, then every method that showed its frame, in the order they came.
+class SequencePictures {
+ public:
+  SequencePictures(const Clip& truth, std::vector<PictureWindow> windows);
+
+  void Add(const std::string& method, const ShownFrame& shown);
+
+  // Writes FOLDER/SEQUENCE-NUMBER-KIND.png for each and returns one line for each: the file and its panels from left to right.
+  std::vector<std::string> Write(const std::filesystem::path& folder) const;
+
+ private:
+  struct Picture {
+    PictureWindow window;
+    std::vector<std::string> names;
+    std::vector<Image> panels;
+  };
+  const Clip& truth_;
+  std::vector<Picture> pictures_;
+};
+
+}  // namespace warplut

@@ -1,0 +1,50 @@
+#include "tools/sr_cross.h"
+
+#include "tools/warp_protocol.h"
+#include "train/crops.h"
+#include "train/keys_search.h"
+#include "train/random.h"
+#include "train/sr_objective.h"
+
+namespace warplut {
+namespace {
+
+constexpr int kPansPerCrop = 4;
+
+CrossScore Judge(const Objective& objective, const CanonicalWeights<double>& weights) {
+  CrossScore score;
+  const std::vector<double> losses = objective.Losses(weights);
+  score.loss = objective.Value(losses);
+  for (const double loss : losses) score.ssim.push_back(1 - loss);
+  return score;
+}
+
+}  // namespace
+
+CanonicalWeights<double> CanonicalTableWeights(const BakedTable& table) {
+  const std::vector<IntegerRow> rows = TableIntegers(table.view(), "table");
+  CanonicalWeights<double> weights{};
+  for (int c = 0; c < kCanonicalNodes; ++c) {
+    const auto [ix, jy] = CanonicalPosition(c);
+    weights[c] = RealRow(rows[RowIndex(ix, jy)], table.format());
+  }
+  return weights;
+}
+
+CrossColumn JudgeAtScale(const std::vector<CrossFilter>& filters, const std::vector<Image>& luma,
+                         const TrainOptions& options) {
+  CrossColumn column;
+  column.options = options.Resolved();
+  const TrainOptions& o = column.options;
+  const SrObjective objective(DrawCrops(luma, o.crops, o.seed), o.horizons, DeriveSeed(o.seed, 1),
+                              {o.scale, *o.blend_a, *o.blend_b, *o.pan_share, kPansPerCrop});
+  for (const Protocol& protocol : objective.protocols()) column.protocols.push_back(Name(protocol));
+  column.keys_a = FitKeys(objective);
+  column.keys = Judge(objective, KeysCanonicalWeights(column.keys_a));
+  for (const CrossFilter& filter : filters) {
+    column.scores.push_back(Judge(objective, filter.weights));
+  }
+  return column;
+}
+
+}  // namespace warplut

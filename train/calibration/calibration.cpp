@@ -1,0 +1,261 @@
+#include "train/calibration/calibration.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "datasets/hash.h"
+#include "train/random.h"
+
+namespace warplut {
+namespace {
+
+// How often a profile may show a better point and is drawn again.
+constexpr int kProfileRounds = 3;
+// Less gain than this is not worth another round.
+constexpr double kProfileGain = 1e-6;
+
+// Whether the parameter is what a gate compares with.
+bool IsThreshold(const ParameterInfo& info) {
+  return info.member == &Parameters::sr_depth_threshold ||
+         info.member == &Parameters::generation_depth_threshold ||
+         info.member == &Parameters::brightness_threshold;
+}
+
+class Calibration {
+ public:
+  Calibration(const CalibrationOptions& options, ResidualFunction& function)
+      : options_(options),
+        space_(options.fitted, options.base),
+        log_(function, {.max_seconds = options.max_seconds,
+                        .checkpoint = options.checkpoint,
+                        .resume = options.resume,
+                        .made_for = options.Identity(),
+                        .go_on = [this] { return GoOn(); }}),
+        widths_(options.widths) {
+    const auto fits_threshold = [](int p) { return IsThreshold(kParameters[p]); };
+    if (std::none_of(options.fitted.begin(), options.fitted.end(), fits_threshold)) widths_ = {0};
+  }
+
+  CalibrationResult Run() {
+    result_.best = {options_.base, std::numeric_limits<double>::infinity()};
+    Search();
+    result_.search_runs = log_.runs();
+    DrawProfiles();
+    DropWhatIsNotNeeded();
+    JudgeAccuracy();
+    result_.runs = log_.runs();
+    result_.seconds = log_.Seconds();
+    result_.stop = log_.stop();
+    log_.Save();
+    return std::move(result_);
+  }
+
+ private:
+  bool GoOn() {
+    if (!options_.progress) return true;
+    return options_.progress({done_ / Work(), log_.runs(), result_.best.loss});
+  }
+
+  // In units of one descent; a profile is about half of one.
+  double Work() const { return 2.0 + options_.random_starts + 0.5; }
+
+  void Search() {
+    const double default_loss = Keep(options_.base);
+    const double paper_loss = Keep(kPaperParameters);
+    result_.default_loss = default_loss;
+    result_.paper_loss = paper_loss;
+    Descend("default", options_.base);
+    Descend("paper", space_.ToParameters(space_.ToPoint(kPaperParameters)));
+    for (int i = 0; i < options_.random_starts; ++i) {
+      Random random(DeriveSeed(options_.seed, static_cast<std::uint64_t>(i)));
+      Point point;
+      for (int k = 0; k < space_.size(); ++k) point.push_back(random.Uniform());
+      Descend(fmt::format("random {}", i + 1), space_.ToParameters(point));
+    }
+    Replace(PatternSearch(log_, space_, result_.best, kCoarsePatternStep, kLastPatternStep));
+  }
+
+  // The loss of a candidate for the result; infinite once the log has stopped.
+  double Keep(const Parameters& parameters) {
+    const double loss = log_.Loss(parameters).value_or(std::numeric_limits<double>::infinity());
+    if (loss < result_.best.loss) result_.best = {parameters, loss};
+    return loss;
+  }
+
+  void Descend(const std::string& name, const Parameters& start) {
+    const Candidate from{start, Keep(start)};
+    Point point = space_.ToPoint(start);
+    double radius = kTrustRadius;
+    for (const float width : widths_) point = FitAtWidth(log_, space_, width, point, &radius);
+    const Parameters soft = space_.ToParameters(point);
+    Candidate to{soft, Keep(soft)};
+    if (!(to.loss < from.loss)) to = from;
+
+    int optimum = OptimumOf(to);
+    if (optimum < 0 || std::abs(to.loss - result_.optima[optimum].loss) > kSameLoss) {
+      to = PatternSearch(log_, space_, to, kFirstPatternStep, kCoarsePatternStep);
+      optimum = OptimumOf(to);
+      Keep(to.parameters);
+    }
+    if (std::isfinite(from.loss)) {
+      if (optimum < 0) {
+        optimum = static_cast<int>(result_.optima.size());
+        result_.optima.push_back(to);
+      } else if (to.loss < result_.optima[optimum].loss) {
+        result_.optima[optimum] = to;
+      }
+      result_.starts.push_back({name, from, to, optimum});
+    }
+    done_ += 1;
+  }
+
+  // The optimum that the candidate belongs to, or -1.
+  int OptimumOf(const Candidate& candidate) {
+    const Point at = space_.ToPoint(candidate.parameters);
+    for (std::size_t i = 0; i < result_.optima.size(); ++i) {
+      const Candidate& other = result_.optima[i];
+      Point midway = space_.ToPoint(other.parameters);
+      for (std::size_t k = 0; k < midway.size(); ++k) midway[k] = (midway[k] + at[k]) / 2;
+      const std::optional<double> loss = log_.Loss(space_.ToParameters(midway));
+      if (loss && *loss <= std::max(candidate.loss, other.loss) + kRidge) {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  }
+
+  void DrawProfiles() {
+    for (int round = 0; round < kProfileRounds; ++round) {
+      result_.parameters.clear();
+      Candidate better = result_.best;
+      for (int i = 0; i < space_.size(); ++i) {
+        CalibratedParameter parameter;
+        parameter.parameter = options_.fitted[static_cast<std::size_t>(i)];
+        parameter.profile = ProfileOf(log_, space_, i, result_.best, &better);
+        parameter.profiled = log_.stop() == RunLog::Stop::kNone;
+        result_.parameters.push_back(std::move(parameter));
+        if (round == 0) done_ += 0.5 / space_.size();
+      }
+      if (!(better.loss < result_.best.loss - kProfileGain) || round + 1 == kProfileRounds) break;
+      Replace(PatternSearch(log_, space_, better, kFirstPatternStep, kLastPatternStep));
+    }
+  }
+
+  // Moves the best optimum to a better place.
+  void Replace(const Candidate& better) {
+    const auto best =
+        std::min_element(result_.optima.begin(), result_.optima.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.loss < b.loss; });
+    if (best != result_.optima.end()) *best = better;
+    result_.best = better;
+  }
+
+  // What the loss does not hang on gets the value of the base, if that is no worse to the last bit.
+  void DropWhatIsNotNeeded() {
+    for (const CalibratedParameter& parameter : result_.parameters) {
+      if (!parameter.NotNeeded()) continue;
+      Parameters plain = result_.best.parameters;
+      const auto member = kParameters[parameter.parameter].member;
+      plain.*member = options_.base.*member;
+      const std::optional<double> loss = log_.Loss(plain);
+      if (loss && *loss <= result_.best.loss) Replace({plain, *loss});
+    }
+  }
+
+  void JudgeAccuracy() {
+    const Point point = space_.ToPoint(result_.best.parameters);
+    result_.covariance_width = widths_.back();
+    const auto covariance = CovarianceAt(log_, space_, widths_.back(), point);
+    if (covariance) result_.correlations = covariance->correlations;
+    for (int i = 0; i < space_.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      CalibratedParameter& parameter = result_.parameters[k];
+      const ParameterInfo& info = space_.info(i);
+      const float value = result_.best.parameters.*info.member;
+      parameter.value = value;
+      parameter.at_min = value <= info.min;
+      parameter.at_max = value >= info.max;
+      if (covariance && covariance->standard_errors[k]) {
+        parameter.standard_error = *covariance->standard_errors[k] * space_.Slope(i, point[k]);
+      }
+    }
+    SortOptima();
+  }
+
+  void SortOptima() {
+    std::vector<std::size_t> order(result_.optima.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return result_.optima[a].loss < result_.optima[b].loss;
+    });
+    std::vector<Candidate> sorted;
+    for (const std::size_t i : order) sorted.push_back(result_.optima[i]);
+    result_.optima = std::move(sorted);
+    for (CalibrationStart& start : result_.starts) {
+      const auto at =
+          std::find(order.begin(), order.end(), static_cast<std::size_t>(start.optimum));
+      start.optimum = static_cast<int>(at - order.begin());
+      const double reached = result_.optima[static_cast<std::size_t>(start.optimum)].loss;
+      if (start.to.loss > reached + kSameLoss) start.optimum = -1;
+    }
+  }
+
+  const CalibrationOptions& options_;
+  SearchSpace space_;
+  RunLog log_;
+  std::vector<float> widths_;
+  double done_ = 0;  // descents
+  CalibrationResult result_;
+};
+
+}  // namespace
+
+bool CalibrationOptions::IsValid(std::string* why) const {
+  const auto refuse = [&](std::string sentence) {
+    if (why != nullptr) *why = std::move(sentence);
+    return false;
+  };
+  if (fitted.empty()) return refuse("no parameter is fitted; expected at least one.");
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    const int last = static_cast<int>(kParameters.size()) - 1;
+    if (fitted[i] < 0 || fitted[i] > last || (i > 0 && fitted[i] <= fitted[i - 1])) {
+      return refuse(fmt::format(
+          "the fitted parameters have index {}; expected 0 to {}, ascending, each once.", fitted[i],
+          last));
+    }
+  }
+  if (!base.IsValid(why)) return false;
+  if (widths.empty()) return refuse("there are no gate widths; expected at least one.");
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    if (!(widths[i] > 0 && widths[i] <= (i > 0 ? widths[i - 1] : 1.0f))) {
+      return refuse(
+          fmt::format("the gate widths have {:g}; expected falling numbers in (0, 1].", widths[i]));
+    }
+  }
+  if (random_starts < 0 || random_starts > 1000) {
+    return refuse(
+        fmt::format("the number of random starts is {}; expected 0 to 1000.", random_starts));
+  }
+  if (!(max_seconds >= 0)) {
+    return refuse(fmt::format("max_seconds is {:g}; expected 0 or more.", max_seconds));
+  }
+  if (resume && checkpoint.empty()) return refuse("there is no checkpoint to resume from.");
+  return true;
+}
+
+std::string CalibrationOptions::Identity() const {
+  std::string text = fmt::format("{} {} {}", data, random_starts, seed);
+  for (const int p : fitted) text += fmt::format(" {}", kParameters[p].name);
+  for (const ParameterInfo& info : kParameters) text += fmt::format(" {}", base.*info.member);
+  for (const float width : widths) text += fmt::format(" {}", width);
+  return Sha1(text);
+}
+
+CalibrationResult Calibrate(const CalibrationOptions& options, ResidualFunction& function) {
+  return Calibration(options, function).Run();
+}
+
+}  // namespace warplut

@@ -1,0 +1,93 @@
+// Calibration: the parameters with the least loss of the runtime's own code, and what the data says about them.
+//
+// 1. From each start, Levenberg-Marquardt on gates of finite width, narrowed step by step (a hard gate is flat almost everywhere);
+//    if no threshold is fitted, on the hard gates at once. Where the result is no better than the start, the start stays.
+// 2. A search without derivatives on the hard gates, which never accepts more loss; coarse from each start, fine from the best end.
+// 3. The loss profile of each parameter; a better point in it is polished as well.
+// The best of all, by the loss on hard gates, is the result: never worse than any start, of which the paper's constants are one.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "train/calibration/covariance.h"
+#include "train/calibration/profile.h"
+#include "train/calibration/residual_function.h"
+#include "train/calibration/soft_fit.h"
+
+namespace warplut {
+
+struct CalibrationProgress {
+  double fraction = 0;  // of the work, roughly
+  int runs = 0;         // of the pipeline
+  double loss = 0;      // the best so far
+};
+
+struct CalibrationOptions {
+  std::vector<int> fitted;  // indices of kParameters, ascending, each once, at least one
+  Parameters base;          // the values of the others, and the first start
+  std::vector<float> widths = {0.8f, 0.4f, 0.2f, 0.1f};  // of the gates, falling, each in (0, 1]
+  int random_starts = 2;  // beside the base and the paper's constants
+  std::uint64_t seed = 1;
+  double max_seconds = 0;  // 0: no limit; with one the result depends on the machine's speed
+  std::filesystem::path checkpoint;  // empty: none
+  bool resume = false;               // from `checkpoint`
+  std::string data;                  // names what the residuals hang on, for the checkpoint
+  std::function<bool(const CalibrationProgress&)> progress;  // before every run; false interrupts
+
+  bool IsValid(std::string* why = nullptr) const;
+
+  // What decides the result, as one line of text.
+  std::string Identity() const;
+};
+
+// Where a start led.
+struct CalibrationStart {
+  std::string name;  // "default", "paper", "random 1", ...
+  Candidate from, to;
+  // Index in CalibrationResult::optima; -1 where the search got stuck (on a plateau, for example): no ridge lies between its end
+  // and an optimum, but its loss is larger by more than kSameLoss.
+  int optimum = -1;
+};
+
+struct CalibratedParameter {
+  int parameter = 0;  // index in kParameters
+  double value = 0;
+  std::optional<double> standard_error;  // of the value; none where the data does not say
+  bool at_min = false, at_max = false;   // of its range
+  bool profiled = false;                 // the profile is complete
+  Profile profile;
+
+  // The loss does not hang on it: its pass is a candidate for being left out.
+  bool NotNeeded() const { return profiled && profile.Flat(); }
+};
+
+struct CalibrationResult {
+  Candidate best;
+  double default_loss = 0;  // of CalibrationOptions::base
+  double paper_loss = 0;    // of kPaperParameters
+  std::vector<CalibrationStart> starts;
+  std::vector<Candidate> optima;  // best first; between any two of them the loss has a ridge
+  std::vector<CalibratedParameter> parameters;  // as CalibrationOptions::fitted
+  std::vector<double> correlations;             // of the fitted, row by row; empty if unknown
+  float covariance_width = 0;  // of the gates that errors and correlations were computed at
+  int search_runs = 0;         // of the pipeline, for the search
+  int runs = 0;                // and with profiles and errors
+  double seconds = 0;          // of this call
+  RunLog::Stop stop = RunLog::Stop::kNone;
+};
+
+// Two ends of the search belong together if midway between them the loss is larger than at the worse one by no more than
+// kRidge; they are the same optimum if, besides, their losses differ by no more than kSameLoss.
+inline constexpr double kRidge = 1e-4;
+inline constexpr double kSameLoss = 1e-4;
+
+// Minimises 1/2 sum of r^2 of `function`. Options must be valid. When it is interrupted the checkpoint is written and the result is
+// the best so far (stop says so); after a time limit as well, and `complete` parts only are filled. The checkpoint is left to
+// the caller. Error: as RunLog.
+CalibrationResult Calibrate(const CalibrationOptions& options, ResidualFunction& function);
+
+}  // namespace warplut

@@ -1,0 +1,160 @@
+#include "train/calibration/clip_loss.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "datasets/error.h"
+
+namespace warplut {
+
+// One run and the references that judge it.
+class ClipLoss::Judge {
+ public:
+  // `weight`: of the run in the loss.
+  Judge(ClipRun run, Executor& executor)
+      : run_(std::move(run)), executor_(executor), grid_(CheckedGrid(run_)) {
+    const Clip& clip = *run_.clip;
+    for (const int frame : JudgedFrames(run_)) {
+      references_.emplace(frame,
+                          LumaOf(clip.frames[static_cast<std::size_t>(frame)].reference.view(),
+                                 clip.encoding, executor_));
+    }
+    if (references_.empty()) {
+      throw Error(fmt::format(
+          "the method {} shows no frame of '{}' ({} frames, one in {} rendered) that can be judged",
+          run_.options.method->name, clip.name, clip.frames.size(), run_.options.every));
+    }
+  }
+
+  std::size_t tiles() const { return static_cast<std::size_t>(grid_.count()); }
+  const MethodInfo* method() const { return run_.options.method; }
+  double Share(std::size_t tile) const { return grid_.Share(static_cast<int>(tile)); }
+
+  // The mean over judged frames of 1 - SSIM in each tile.
+  std::vector<double> TileLosses(const Parameters& parameters, float gate_width) {
+    run_.options.super_resolution.parameters = parameters;
+    run_.options.super_resolution.gate_width = gate_width;
+    run_.options.generation.parameters = parameters;
+    run_.options.generation.gate_width = gate_width;
+    std::vector<double> losses(tiles());
+    RunMode(*run_.clip, run_.options, executor_, [&](const ShownFrame& shown) {
+      const bool judged = shown.generated || run_.options.method->generation == Generation::kNone;
+      const auto reference = references_.find(shown.frame);
+      if (!judged || reference == references_.end()) return;
+      const LumaPlane luma = LumaOf(shown.image, run_.clip->encoding, executor_);
+      executor_.ForEach(grid_.count(), [&](int tile) {
+        const Ssim ssim(grid_.Window(reference->second.view(), tile));
+        losses[static_cast<std::size_t>(tile)] +=
+            std::max(0.0, 1 - ssim.Mean(grid_.Window(luma.view(), tile)));
+      });
+    });
+    for (double& loss : losses) loss /= static_cast<double>(references_.size());
+    return losses;
+  }
+
+ private:
+  static TileGrid CheckedGrid(const ClipRun& run) {
+    std::string why;
+    if (!run.options.IsValid(*run.clip, &why)) throw Error(why);
+    const MethodInfo& method = *run.options.method;
+    if (method.paper) {
+      throw Error(fmt::format(
+          "the method {} runs with the paper's constants; expected one that can be calibrated",
+          method.name));
+    }
+    const GridSize grid = run.clip->output;
+    if (grid.width < kSsimWindow || grid.height < kSsimWindow) {
+      throw Error(fmt::format("the frames of '{}' are {} x {}; expected at least {} x {}",
+                              run.clip->name, grid.width, grid.height, kSsimWindow, kSsimWindow));
+    }
+    return {grid.width, grid.height};
+  }
+
+  // Indices in the clip. A frame without a reference is an Error, as a clip has it for all frames or none.
+  static std::vector<int> JudgedFrames(const ClipRun& run) {
+    const int count = static_cast<int>(run.clip->frames.size());
+    const int every = run.options.every;
+    std::set<int> frames;
+    if (run.options.method->generation == Generation::kNone) {
+      for (int i = every; i < count; i += every) frames.insert(i);
+    } else {
+      const bool extrapolates = run.options.method->generation == Generation::kExtrapolation;
+      for (int begin = extrapolates ? every : 0; begin < count; begin += every) {
+        if (!extrapolates && begin + every >= count) break;
+        for (const float alpha : Alphas(run.options)) {
+          const double time = begin + static_cast<double>(alpha) * every;
+          const double whole = std::round(time);
+          if (std::abs(time - whole) < kAlphaStep / 2 && whole < count) {
+            frames.insert(static_cast<int>(whole));
+          }
+        }
+      }
+    }
+    for (const int i : frames) {
+      const ImageView reference = run.clip->frames[static_cast<std::size_t>(i)].reference.view();
+      if (reference.width != run.clip->output.width) {
+        throw Error(
+            fmt::format("the sequence '{}' has no stream 'reference', by which a "
+                        "calibration judges",
+                        run.clip->name));
+      }
+    }
+    return {frames.begin(), frames.end()};
+  }
+
+  ClipRun run_;
+  Executor& executor_;
+  TileGrid grid_;
+  std::map<int, LumaPlane> references_;
+};
+
+ClipLoss::ClipLoss(std::vector<ClipRun> runs, Executor& executor) : executor_(executor) {
+  if (runs.empty()) throw Error("there is no clip to calibrate on; expected at least one.");
+  for (ClipRun& run : runs) {
+    judges_.push_back(std::make_unique<Judge>(std::move(run), executor_));
+    size_ += judges_.back()->tiles();
+  }
+}
+
+ClipLoss::~ClipLoss() = default;
+
+void ClipLoss::Evaluate(const Parameters& parameters, float gate_width,
+                        std::span<double> residuals) {
+  std::map<const MethodInfo*, int> clips;  // of each method
+  for (const auto& judge : judges_) ++clips[judge->method()];
+  std::size_t at = 0;
+  for (const auto& judge : judges_) {
+    const double weight = 1.0 / static_cast<double>(clips.size()) / clips[judge->method()];
+    const std::vector<double> losses = judge->TileLosses(parameters, gate_width);
+    for (std::size_t tile = 0; tile < losses.size(); ++tile) {
+      residuals[at++] = std::sqrt(2 * weight * judge->Share(tile) * losses[tile]);
+    }
+  }
+}
+
+std::vector<double> ClipLoss::MeanSsim(const Parameters& parameters) {
+  std::vector<double> means;
+  for (const auto& judge : judges_) {
+    const std::vector<double> losses = judge->TileLosses(parameters, 0);
+    double loss = 0;
+    for (std::size_t tile = 0; tile < losses.size(); ++tile) {
+      loss += judge->Share(tile) * losses[tile];
+    }
+    means.push_back(1 - loss);
+  }
+  return means;
+}
+
+std::vector<int> ParametersOf(const std::vector<const MethodInfo*>& methods) {
+  std::set<int> indices;
+  for (const MethodInfo* method : methods) {
+    indices.insert(method->parameters.begin(), method->parameters.end());
+  }
+  return {indices.begin(), indices.end()};
+}
+
+}  // namespace warplut

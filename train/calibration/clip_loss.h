@@ -1,0 +1,52 @@
+// The loss that parameters cause: 1 - SSIM of what the runtime shows of clips.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/executor.h"
+#include "train/calibration/luma_plane.h"
+#include "train/calibration/residual_function.h"
+#include "train/calibration/tile_grid.h"
+#include "train/mode_run.h"
+
+namespace warplut {
+
+// One method over one clip. Its own parameters and gate width do not matter.
+struct ClipRun {
+  std::shared_ptr<const Clip> clip;
+  ModeRunOptions options;
+};
+
+// The mean over methods of the mean over clips of the mean over judged frames of 1 - SSIM of luma. Judged are the generated frames of
+// methods that generate and all but the first frame of the others (a first frame has no history), where there is a
+// reference. One residual for each run and tile, sqrt(2 weight (1 - SSIM)) with SSIM the mean over the tile and the frames: frames
+// show the same things again, so they are no data of their own.
+class ClipLoss final : public ResidualFunction {
+ public:
+  // The executor outlives the object; the residuals do not depend on it. Error: no run, a method that the paper's constants
+  // are part of, a run that cannot be made (ModeRunOptions::IsValid), images too small for the SSIM window, no judged frame.
+  ClipLoss(std::vector<ClipRun> runs, Executor& executor);
+  ~ClipLoss() override;
+
+  std::size_t Size() const override { return size_; }
+  void Evaluate(const Parameters& parameters, float gate_width,
+                std::span<double> residuals) override;
+
+  // The mean SSIM of each run at the parameters, hard gates.
+  std::vector<double> MeanSsim(const Parameters& parameters);
+
+ private:
+  class Judge;
+
+  Executor& executor_;
+  std::vector<std::unique_ptr<Judge>> judges_;
+  std::size_t size_ = 0;
+};
+
+// Which parameters the methods read: indices of kParameters, ascending.
+std::vector<int> ParametersOf(const std::vector<const MethodInfo*>& methods);
+
+}  // namespace warplut

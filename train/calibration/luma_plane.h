@@ -1,0 +1,23 @@
+// Luma of the runtime's images, as losses see them.
+#pragma once
+
+#include <vector>
+
+#include "runtime/color_encoding.h"
+#include "runtime/executor.h"
+#include "runtime/image_view.h"
+#include "train/ssim.h"
+
+namespace warplut {
+
+struct LumaPlane {
+  int width = 0, height = 0;
+  std::vector<float> values;  // row by row
+
+  PlaneView view() const { return {values.data(), width, height, width}; }
+};
+
+// kLumaWeights (datasets/luma.h) of an RGBA image, 8-bit codes divided by 255; tone-mapped (runtime/color_encoding.h) where linear.
+LumaPlane LumaOf(const ImageView& image, ColorEncoding encoding, Executor& executor);
+
+}  // namespace warplut

@@ -1,0 +1,26 @@
+// The Keys kernels as weights, and the search among them: the baseline that a fit must beat.
+#pragma once
+
+#include <vector>
+
+#include "train/canonical_nodes.h"
+
+namespace warplut {
+
+class Objective;
+
+// The weights of the Keys kernel at the canonical nodes.
+CanonicalWeights<double> KeysCanonicalWeights(double a);
+
+// The Keys parameters that are looked at when a best one is wanted.
+inline constexpr double kKeysFirst = -0.50;
+inline constexpr double kKeysLast = -0.86;
+inline constexpr double kKeysStep = 0.02;
+
+// The losses of each of these kernels, in order (Objective::Losses).
+std::vector<std::vector<double>> KeysLosses(const Objective& objective);
+
+// The parameter a of the Keys kernel with the least L.
+double FitKeys(const Objective& objective);
+
+}  // namespace warplut

@@ -1,0 +1,55 @@
+// Objective `sr`: what is left to wish for when a LUT warps the history of super resolution.
+//
+// A crop is the reference, standing for a scene that shows the crop's detail and no more
+// (train/band_limited.h), and moves as a whole along a trajectory. Frame 0 is its samples at jitter
+// phase f of the upscale factor's cycle, interpolated: x_0 = I S_0. Each step t warps the history
+// by the trajectory's displacement and refreshes it with the scene's samples at phase f + t
+// (train/sample_grid.h):
+//
+//   h = W(d_t) x_(t-1)      x_t = h + share (I (S_t - B h))
+//
+// At a horizon the displacements add up to zero, so that x_t should be the crop: an exact
+// reference. The shortest horizons judge how the loop settles, the longest what it settles to. The
+// jitter is that of datasets/jitter.h, f is drawn for each rollout. Samples are points of the
+// scene that the crop's pixel filter has seen; what a renderer's own samples add in aliasing is not
+// in them. A sample beyond the crop sees its repeated edge, which the judged part does not reach.
+//
+// The form of train/objective.h with the kinds random and pan (of kNodes steps, after which every
+// pan is back at the start), whose shares are 1 - q and q, and p = 1; the baseline of each protocol
+// is the Keys kernel that is best for it, on the same crops, trajectories and samples.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "train/objective.h"
+
+namespace warplut {
+
+struct SrObjectiveOptions {
+  double scale = 2;    // output / render, [1, 4]
+  double blend_a = 0;  // a and b of runtime/parameters.h
+  double blend_b = 0;
+  double pan_share = 0;   // q, in [0, 1]
+  int pans_per_crop = 0;  // 0: no pan among the protocols, then pan_share is 0
+};
+
+class SrObjective final : public Objective {
+ public:
+  // Each crop is rolled out once along a random trajectory, judged at every horizon, and along
+  // pans. Horizons ascending. Baselines as above; with `like`, an SrObjective of the same horizons
+  // and options that has a pan if this has, ScaleBaselines(*like).
+  SrObjective(std::vector<BorderedPlane> crops, const std::vector<int>& horizons,
+              std::uint64_t seed, const SrObjectiveOptions& options,
+              const Objective* like = nullptr);
+
+ private:
+  void AddSamples(const BorderedPlane& crop, std::size_t first_phase,
+                  const std::vector<Displacement>& trajectory, Rollout& rollout);
+
+  std::vector<SampleGrid> grids_;     // one for each phase
+  std::deque<BorderedPlane> starts_;  // x_0 of each rollout
+};
+
+}  // namespace warplut
