@@ -1,5 +1,6 @@
 #!/bin/sh
-# From a bare Debian to a trained, baked and judged x2 LUT, in about 15 minutes on 2 cores.
+# From a bare Debian to a trained, baked and judged x2 LUT and a calibrated pipeline that uses it, in about 15 minutes on
+# 2 cores.
 # usage: tools/quickstart.sh [--data DIR] [OUT]
 #   --data DIR   also judge the LUT on the sequences and image folders in DIR (default: $WARPLUT_DATA)
 #   OUT          where everything goes (default: out/quickstart)
@@ -46,6 +47,8 @@ mkdir -p "$out/done" "$out/tables"
 warplut=build/release/tools/warplut
 name=warplut_x2
 train_seconds=85
+fitted_clips='street plaza'
+judged_clip=harbour
 missed=no
 
 begun=$(date +%s)
@@ -106,12 +109,40 @@ cost() {
   if [ "$code" -ne 0 ] && [ "$code" -ne 3 ]; then exit "$code"; fi
 }
 
+# Clips with every stream: two to calibrate on, one to judge by.
+render_clips() {
+  for scene in $fitted_clips $judged_clip; do
+    "$warplut" dataset render "$scene" --out "$out/clips" --width 640 --height 360 --frames 9 --samples 16 \
+      > "$out/render-$scene.log"
+  done
+}
+
+calibrate() {
+  set --
+  for scene in $fitted_clips; do set -- "$@" "$out/clips/$scene"; done
+  "$warplut" calibrate --sequence "$@" "$out/clips/$judged_clip" --hold-out "$judged_clip" --modes sr,i \
+    --lut "$out/baked/$name.json" --max-pixels 40000 --starts 0 --out "$out/params.json" > "$out/calibration.txt"
+}
+
+run_pipeline() {
+  for mode in sr i; do
+    "$warplut" run --mode "$mode" --sequence "$out/clips/$judged_clip" --lut "$out/baked/$name.json" \
+      --params "$out/params.json" --out "$out/frames/$mode" > "$out/run-$mode.txt"
+  done
+}
+
+judge_pipeline() {
+  "$warplut" eval --sequence "$out/clips/$judged_clip" --lut "$out/baked/$name.json" --params "$out/params.json" \
+    --modes sr,sr-paper,i,i-paper --pictures "$out/pictures" --markdown > "$out/tables/quickstart-pipeline.part"
+  mv "$out/tables/quickstart-pipeline.part" "$out/tables/quickstart-pipeline.md"
+}
+
 # The example program, compiled against the header that was baked just now instead of the one that ships.
 example() {
   mkdir -p "$out/include/luts/baked"
   cp "$out/baked/$name.h" "$out/include/luts/baked/"
   "${CXX:-c++}" -std=c++20 -O2 -I "$out/include" -I . runtime/example/warp_example.cpp \
-    build/release/runtime/libwarplut_runtime.a -lhwy -o "$out/warp_example"
+    build/release/runtime/libwarplut_runtime.a -lhwy -pthread -o "$out/warp_example"
   "$out/warp_example"
 }
 
@@ -138,17 +169,26 @@ step judge-held-out judge quickstart-held-out "$out"/held-out/*
 if [ -n "$data" ]; then step judge-data judge quickstart-data "$data"/*/; fi
 step cost cost
 step example example
+step render-clips render_clips
+step calibrate calibrate
+step run-pipeline run_pipeline
+step judge-pipeline judge_pipeline
 
 show quickstart-held-out "SSIM on built-in scenes that were held out (the LUT is $name):"
 if [ -n "$data" ]; then show quickstart-data "SSIM on the images in $data:"; fi
 echo
 cat "$out/cost.txt"
+echo
+echo "Super resolution (sr) and interpolation (i) of the scene $judged_clip, calibrated on $fitted_clips:"
+cat "$out/tables/quickstart-pipeline.md"
 cat << END
 
 All of it took $(($(date +%s) - begun)) s. Look at
   $out/baked/$name.h      the LUT for a C++ renderer; .json and .exr hold the same table
   $out/baked/$name.png    the LUT as a picture: one tile for each tap, orange positive, blue negative
-  $out/pictures           original, Catmull-Rom and the LUT after 24 warps, side by side
+  $out/params.json        the calibrated parameters; calibration.txt says what they are worth
+  $out/frames             frames of super resolution and interpolation
+  $out/pictures           original, Catmull-Rom and the LUT after 24 warps; the pipeline beside its baselines
   $out/tables             the tables above
 END
 if [ "$missed" = yes ]; then exit 3; fi

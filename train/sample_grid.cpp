@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "luts/filters.h"
 #include "runtime/gates.h"
 
 namespace warplut {
@@ -20,6 +21,20 @@ LinearTaps MakeTaps(int count, int size, const At& at) {
     const int first = std::min(static_cast<int>(position), size - 2);
     taps.first.push_back(first);
     taps.fraction.push_back(static_cast<float>(position - first));
+  }
+  return taps;
+}
+
+template <class At>
+CubicTaps MakeCubicTaps(int count, int size, const At& at) {
+  CubicTaps taps;
+  for (int i = 0; i < count; ++i) {
+    const double position = std::clamp(at(i), 0.0, size - 1.0);
+    const int texel = static_cast<int>(position);
+    std::array<int, kTaps>& index = taps.index.emplace_back();
+    for (int k = 0; k < kTaps; ++k) index[k] = std::clamp(texel + kFirstTap + k, 0, size - 1);
+    taps.weight.push_back(
+        KeysTaps(static_cast<float>(kCatmullRomA), static_cast<float>(position - texel)));
   }
   return taps;
 }
@@ -49,8 +64,8 @@ SampleGrid::SampleGrid(const SampleGridOptions& options, const Vec2& jitter)
   };
   pixel_x_ = MakeTaps(options.width, columns, [&](int x) { return in_samples(x, jitter.x); });
   pixel_y_ = MakeTaps(options.height, rows, [&](int y) { return in_samples(y, jitter.y); });
-  sample_x_ = MakeTaps(columns, options.width, [&](int i) { return PositionX(i) - 0.5; });
-  sample_y_ = MakeTaps(rows, options.height, [&](int j) { return PositionY(j) - 0.5; });
+  sample_x_ = MakeCubicTaps(columns, options.width, [&](int i) { return PositionX(i) - 0.5; });
+  sample_y_ = MakeCubicTaps(rows, options.height, [&](int j) { return PositionY(j) - 0.5; });
   const auto to_nearest = [](double position, int count) {
     return position - std::clamp(std::round(position), 0.0, count - 1.0);
   };
@@ -85,13 +100,16 @@ void SampleGrid::Read(const BorderedPlane& image, std::span<float> samples) cons
   const int width = options_.width;
   std::vector<float> line(width);
   for (int j = 0; j < rows(); ++j) {
-    const float* above = image.row(sample_y_.first[j]);
-    const float* below = image.row(sample_y_.first[j] + 1);
-    const float fraction = sample_y_.fraction[j];
-    for (int x = 0; x < width; ++x) line[x] = above[x] + fraction * (below[x] - above[x]);
+    std::fill(line.begin(), line.end(), 0.0f);
+    for (int k = 0; k < kTaps; ++k) {
+      AddScaled(sample_y_.weight[j][k], image.row(sample_y_.index[j][k]), width, line.data());
+    }
     float* to = samples.data() + static_cast<std::size_t>(j) * columns();
     for (int i = 0; i < columns(); ++i) {
-      to[i] = Lerp(line.data(), sample_x_.first[i], sample_x_.fraction[i]);
+      const std::array<int, kTaps>& index = sample_x_.index[i];
+      const std::array<float, kTaps>& weight = sample_x_.weight[i];
+      to[i] = weight[0] * line[index[0]] + weight[1] * line[index[1]] + weight[2] * line[index[2]] +
+              weight[3] * line[index[3]];
     }
   }
 }
@@ -134,12 +152,13 @@ void SampleGrid::AdjointRefresh(BorderedPlane& gradient) const {
     // B' of this row of samples.
     std::fill(line.begin(), line.end(), 0.0f);
     for (int i = 0; i < columns(); ++i) {
-      Spread(samples[i], sample_x_.first[i], sample_x_.fraction[i], line.data());
+      for (int k = 0; k < kTaps; ++k) {
+        line[sample_x_.index[i][k]] += sample_x_.weight[i][k] * samples[i];
+      }
     }
-    const int above = sample_y_.first[j];
-    const float fraction = sample_y_.fraction[j];
-    AddScaled(fraction - 1, line.data(), width, gradient.row(above));
-    AddScaled(-fraction, line.data(), width, gradient.row(above + 1));
+    for (int k = 0; k < kTaps; ++k) {
+      AddScaled(-sample_y_.weight[j][k], line.data(), width, gradient.row(sample_y_.index[j][k]));
+    }
   }
 }
 

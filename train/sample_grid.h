@@ -7,17 +7,19 @@
 //   x = h + share (I (S - B h))
 //
 //   I      bilinear interpolation of the samples at the pixel centres
-//   B      bilinear reading of an image at the samples' positions
+//   B      Catmull-Rom reading of an image at the samples' positions
 //   share  BlendShare(a, SampleWeight(b, d)), d the distance from the pixel centre to the nearest
 //          sample, in render pixels (runtime/gates.h)
 //
 // Positions outside the grid or the image are moved to its edge before interpolation.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "datasets/frame.h"
+#include "luts/contract.h"
 #include "train/stencil.h"
 
 namespace warplut {
@@ -38,6 +40,13 @@ struct LinearTaps {
   std::vector<float> fraction;  // in [0, 1]
 };
 
+// Four neighbours, those beyond the edge moved to it, and their weights, for every position of one
+// axis.
+struct CubicTaps {
+  std::vector<std::array<int, kTaps>> index;
+  std::vector<std::array<float, kTaps>> weight;
+};
+
 // Immutable; serves any number of threads.
 class SampleGrid {
  public:
@@ -45,8 +54,8 @@ class SampleGrid {
   // least two of each (not checked).
   SampleGrid(const SampleGridOptions& options, const Vec2& jitter);
 
-  int columns() const { return static_cast<int>(sample_x_.first.size()); }
-  int rows() const { return static_cast<int>(sample_y_.first.size()); }
+  int columns() const { return static_cast<int>(sample_x_.index.size()); }
+  int rows() const { return static_cast<int>(sample_y_.index.size()); }
 
   // Output position of a column (row) of samples, in pixels.
   double PositionX(int column) const { return (column + 0.5 + jitter_.x) * options_.scale; }
@@ -75,8 +84,8 @@ class SampleGrid {
  private:
   SampleGridOptions options_;
   Vec2 jitter_;
-  LinearTaps pixel_x_, pixel_y_;    // samples around each pixel centre
-  LinearTaps sample_x_, sample_y_;  // pixels around each sample
+  LinearTaps pixel_x_, pixel_y_;   // samples around each pixel centre
+  CubicTaps sample_x_, sample_y_;  // pixels around each sample
   std::vector<float> share_;
 };
 

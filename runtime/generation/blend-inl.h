@@ -81,24 +81,15 @@ struct alignas(64) SourcePixels {
 HWY_INLINE void FindSources(const GenerationJob& job, const MotionView& motion,
                             const ImageView& depth, int x0, int y, int count, SourcePixels& to) {
   const FloatTag d;
-  const IntTag di;
   alignas(64) float padded[2 * kPixels];
-  alignas(64) std::int32_t px[kPixels], py[kPixels];
   const float* from = Padded(motion.Row(y) + 2 * x0, 2 * count, 2 * kPixels, padded);
   for (int i = 0; i < kPixels; i += kLanes) {
     Floats mx, my;
     hn::LoadInterleaved2(d, from + 2 * i, mx, my);
     const auto p =
         FindNearest(job, PixelNumbers(x0 + i), static_cast<float>(y), hn::Neg(mx), hn::Neg(my));
-    hn::Store(p.x, di, px + i);
-    hn::Store(p.y, di, py + i);
+    GatherPixels(depth, p.x, p.y, to.depth + i);
     hn::Store(hn::IfThenElseZero(p.inside, hn::Set(d, 1.0f)), d, to.inside + i);
-  }
-  int row = 0;
-  const float* depths = depth.Row<float>(row);
-  for (int i = 0; i < kPixels; ++i) {
-    if (py[i] != row) depths = depth.Row<float>(row = py[i]);
-    to.depth[i] = depths[px[i]];
   }
 }
 

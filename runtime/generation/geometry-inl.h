@@ -87,6 +87,40 @@ HWY_INLINE NearestPixels FindNearest(const GenerationJob& job, Floats x, float y
           hn::ConvertTo(di, hn::IfThenElseZero(inside, fy)), inside};
 }
 
+// Whether the pixels follow each other in one row, as they do where motion changes little: then vectors are read in place of
+// single pixels.
+HWY_INLINE bool IsRun(Ints x, Ints y) {
+  const IntTag d;
+  const auto follow = hn::Eq(x, hn::Iota(d, hn::GetLane(x)));
+  return hn::AllTrue(d, hn::And(follow, hn::Eq(y, hn::Set(d, hn::GetLane(y)))));
+}
+
+// Reads pixels (x, y), given that they lie in the image.
+HWY_INLINE void GatherPixels(const ImageView& image, Ints x, Ints y, float* HWY_RESTRICT to) {
+  const IntTag d;
+  if (IsRun(x, y)) {
+    std::memcpy(to, image.Row<float>(hn::GetLane(y)) + hn::GetLane(x), sizeof(float) * kLanes);
+    return;
+  }
+  alignas(64) std::int32_t px[kLanes], py[kLanes];
+  hn::Store(x, d, px);
+  hn::Store(y, d, py);
+  for (int i = 0; i < kLanes; ++i) to[i] = image.Row<float>(py[i])[px[i]];
+}
+HWY_INLINE void GatherPixels(const MotionView& motion, Ints x, Ints y, float* HWY_RESTRICT to) {
+  const IntTag d;
+  if (IsRun(x, y)) {
+    std::memcpy(to, motion.Row(hn::GetLane(y)) + 2 * hn::GetLane(x), sizeof(float) * 2 * kLanes);
+    return;
+  }
+  alignas(64) std::int32_t px[kLanes], py[kLanes];
+  hn::Store(x, d, px);
+  hn::Store(y, d, py);
+  for (int i = 0; i < kLanes; ++i) {
+    std::memcpy(to + 2 * i, motion.Row(py[i]) + 2 * px[i], 2 * sizeof(float));
+  }
+}
+
 HWY_INLINE Floats PixelNumbers(int first) {
   return hn::ConvertTo(FloatTag(), hn::Iota(IntTag(), first));
 }

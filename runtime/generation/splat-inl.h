@@ -20,22 +20,6 @@ struct alignas(64) Frame0Pixels {
   alignas(64) float inside[kPixels];  // 1, or 0 where the pixel lies outside of frame 0
 };
 
-HWY_INLINE void GatherFrame0(const GenerationJob& job, const std::int32_t* x, const std::int32_t* y,
-                             int count, Frame0Pixels& to) {
-  int row = 0;
-  const float* motion = job.motion0.Row(row);
-  const float* depth = job.depth0.Row<float>(row);
-  for (int i = 0; i < count; ++i) {
-    if (y[i] != row) {
-      row = y[i];
-      motion = job.motion0.Row(row);
-      depth = job.depth0.Row<float>(row);
-    }
-    std::memcpy(to.motion + 2 * i, motion + 2 * x[i], 2 * sizeof(float));
-    to.depth[i] = depth[x[i]];
-  }
-}
-
 // InterpolatedDisplacement or ExtrapolatedDisplacement.
 struct DisplacementFactors {
   float first, second;
@@ -57,11 +41,9 @@ struct DisplacementFactors {
 
 RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& forward) {
   const FloatTag d;
-  const IntTag di;
   const DisplacementFactors factors(job);
   const float fy = static_cast<float>(y);
   alignas(64) float padded_motion[2 * kPixels], padded_depth[kPixels], displaced[2 * kPixels];
-  alignas(64) std::int32_t px[kPixels], py[kPixels];
   Frame0Pixels frame0;
   auto least = hn::Zero(d);
   auto most = hn::Zero(d);
@@ -75,11 +57,10 @@ RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& fo
         Floats mx, my;
         hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
         const auto p0 = FindNearest(job, PixelNumbers(x0 + i), fy, hn::Neg(mx), hn::Neg(my));
-        hn::Store(p0.x, di, px + i);
-        hn::Store(p0.y, di, py + i);
+        GatherPixels(job.motion0, p0.x, p0.y, frame0.motion + 2 * i);
+        GatherPixels(job.depth0, p0.x, p0.y, frame0.depth + i);
         hn::Store(hn::IfThenElseZero(p0.inside, hn::Set(d, 1.0f)), d, frame0.inside + i);
       }
-      GatherFrame0(job, px, py, kPixels, frame0);
     }
     for (int i = 0; i < kPixels; i += kLanes) {
       Floats mx, my;
@@ -118,34 +99,52 @@ RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& fo
           std::min(nearest(hn::GetLane(hn::MaxOfLanes(d, most))) + 1, job.height())};
 }
 
+// Makes each of kLanes keys that follow each other the lesser of itself and that of a source; these follow each other too.
+HWY_INLINE void KeepNearest(Floats depth, std::uint32_t first_source, SplatKey* keys) {
+  const hn::RebindToUnsigned<FloatTag> du;
+  auto* halves = reinterpret_cast<std::uint32_t*>(keys);
+  hn::Vec<decltype(du)> kept_source, kept_depth;
+  hn::LoadInterleaved2(du, halves, kept_source, kept_depth);
+  const auto bits = hn::BitCast(du, depth);
+  const auto source = hn::Iota(du, first_source);
+  const auto nearer = hn::Or(hn::Lt(bits, kept_depth), hn::And(hn::Eq(bits, kept_depth),
+                                                               hn::Lt(source, kept_source)));
+  hn::StoreInterleaved2(hn::IfThenElse(nearer, source, kept_source),
+                        hn::IfThenElse(nearer, bits, kept_depth), du, halves);
+}
+
 void SplatRow(const GenerationJob& job, const MotionView& forward, int y, RowRange target,
               const KeyView& keys) {
   const FloatTag d;
   const IntTag di;
   const float fy = static_cast<float>(y);
-  alignas(64) float padded_motion[2 * kPixels], padded_depth[kPixels], depths[kPixels];
-  alignas(64) std::int32_t px[kPixels], py[kPixels];
-  for (int x0 = 0; x0 < job.width(); x0 += kPixels) {
-    const int count = std::min(kPixels, job.width() - x0);
-    const float* motion = Padded(forward.Row(y) + 2 * x0, 2 * count, 2 * kPixels, padded_motion);
-    const float* depth = Padded(job.depth1.Row<float>(y) + x0, count, kPixels, padded_depth);
-    for (int i = 0; i < kPixels; i += kLanes) {
-      Floats dx, dy;
-      hn::LoadInterleaved2(d, motion + 2 * i, dx, dy);
-      const auto q = FindNearest(job, PixelNumbers(x0 + i), fy, dx, dy);
-      const auto kept =
-          hn::And(hn::RebindMask(di, q.inside), hn::And(hn::Gt(q.y, hn::Set(di, target.first - 1)),
-                                                        hn::Lt(q.y, hn::Set(di, target.last))));
-      hn::Store(q.x, di, px + i);
-      hn::Store(hn::IfThenElse(kept, q.y, hn::Set(di, -1)), di, py + i);
-      hn::Store(CleanDepths(hn::LoadU(d, depth + i)), d, depths + i);
-    }
+  alignas(64) float padded_motion[2 * kLanes], padded_depth[kLanes], depths[kLanes];
+  alignas(64) std::int32_t px[kLanes], py[kLanes];
+  for (int x = 0; x < job.width(); x += kLanes) {
+    const int count = std::min(kLanes, job.width() - x);
+    const float* motion = Padded(forward.Row(y) + 2 * x, 2 * count, 2 * kLanes, padded_motion);
+    const float* depth = Padded(job.depth1.Row<float>(y) + x, count, kLanes, padded_depth);
+    Floats dx, dy;
+    hn::LoadInterleaved2(d, motion, dx, dy);
+    const auto q = FindNearest(job, PixelNumbers(x), fy, dx, dy);
+    const auto kept =
+        hn::And(hn::RebindMask(di, q.inside), hn::And(hn::Gt(q.y, hn::Set(di, target.first - 1)),
+                                                      hn::Lt(q.y, hn::Set(di, target.last))));
+    if (hn::AllFalse(di, kept)) continue;
+    const auto clean = CleanDepths(hn::LoadU(d, depth));
     const auto source = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(job.width()) +
-                        static_cast<std::uint32_t>(x0);
+                        static_cast<std::uint32_t>(x);
+    if (count == kLanes && hn::AllTrue(di, kept) && IsRun(q.x, q.y)) {
+      KeepNearest(clean, source, keys.Row(hn::GetLane(q.y)) + hn::GetLane(q.x));
+      continue;
+    }
+    hn::Store(q.x, di, px);
+    hn::Store(hn::IfThenElse(kept, q.y, hn::Set(di, -1)), di, py);
+    hn::Store(clean, d, depths);
     for (int i = 0; i < count; ++i) {
       if (py[i] < 0) continue;
-      SplatKey& kept = keys.Row(py[i])[px[i]];
-      kept = std::min(kept, MakeSplatKey(depths[i], source + static_cast<std::uint32_t>(i)));
+      SplatKey& key = keys.Row(py[i])[px[i]];
+      key = std::min(key, MakeSplatKey(depths[i], source + static_cast<std::uint32_t>(i)));
     }
   }
 }

@@ -39,15 +39,19 @@ HWY_INLINE FloatMask NeedSearch(const GenerationJob& job, const KeyView& keys,
     const auto lesser = hn::Max(hn::Min(center, depth), hn::Set(d, 1e-12f));
     return hn::Le(hn::Abs(hn::Sub(center, depth)), hn::Add(absolute, hn::Mul(relative, lesser)));
   };
-  const auto above = alike(0, 1), below = alike(2, 1), left = alike(1, 0), right = alike(1, 2);
-  const auto block = hn::Or(hn::Or(hn::And(hn::And(above, left), alike(0, 0)),
-                                   hn::And(hn::And(above, right), alike(0, 2))),
-                            hn::Or(hn::And(hn::And(below, left), alike(2, 0)),
-                                   hn::And(hn::And(below, right), alike(2, 2))));
-  return hn::Or(hn::Not(block), hn::Eq(center, none));
+  // Seldom is a pixel alike to none but those below: the first blocks answer for most vectors.
+  const auto arrived = hn::Ne(center, none);
+  const auto above = alike(0, 1), left = alike(1, 0);
+  const auto above_left = hn::And(arrived, hn::And(hn::And(above, left), alike(0, 0)));
+  if (hn::AllTrue(d, above_left)) return hn::Not(above_left);
+  const auto below = alike(2, 1), right = alike(1, 2);
+  const auto others = hn::Or(hn::And(hn::And(above, right), alike(0, 2)),
+                             hn::Or(hn::And(hn::And(below, left), alike(2, 0)),
+                                    hn::And(hn::And(below, right), alike(2, 2))));
+  return hn::Not(hn::Or(above_left, hn::And(arrived, others)));
 }
 
-// Copies the displacements and the motion of the pixels that arrived, whose rows change seldom.
+// Reads the displacements and the motion of the pixels that arrived, whose rows change seldom.
 class SourceReader {
  public:
   SourceReader(const GenerationJob& job, const Arrivals& arrivals)
@@ -59,15 +63,36 @@ class SourceReader {
   HWY_INLINE void Read(SplatKey key, float* HWY_RESTRICT displacement, float* HWY_RESTRICT motion) {
     const std::uint32_t source = SplatSource(key);
     std::memcpy(displacement, forward_ + 2 * std::size_t{source}, 2 * sizeof(float));
-    if (source - row_start_ >= width_) {
-      const std::uint32_t y = source / width_;
-      row_start_ = y * width_;
-      motion_row_ = motion_.Row(static_cast<int>(y));
-    }
+    FindRow(source);
     std::memcpy(motion, motion_row_ + 2 * std::size_t{source - row_start_}, 2 * sizeof(float));
   }
 
+  // The same for kLanes keys whose pixels arrived.
+  HWY_INLINE void ReadAll(const SplatKey* keys, float* HWY_RESTRICT displacement,
+                          float* HWY_RESTRICT motion) {
+    const hn::RebindToUnsigned<FloatTag> du;
+    hn::Vec<decltype(du)> sources, depths;
+    hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(keys), sources, depths);
+    const std::uint32_t first = SplatSource(keys[0]);
+    FindRow(first);
+    const bool one_row = first - row_start_ + kLanes <= width_;
+    if (one_row && hn::AllTrue(du, hn::Eq(sources, hn::Iota(du, first)))) {
+      std::memcpy(displacement, forward_ + 2 * std::size_t{first}, 2 * kLanes * sizeof(float));
+      std::memcpy(motion, motion_row_ + 2 * std::size_t{first - row_start_},
+                  2 * kLanes * sizeof(float));
+      return;
+    }
+    for (int i = 0; i < kLanes; ++i) Read(keys[i], displacement + 2 * i, motion + 2 * i);
+  }
+
  private:
+  HWY_INLINE void FindRow(std::uint32_t source) {
+    if (source - row_start_ < width_) return;
+    const std::uint32_t y = source / width_;
+    row_start_ = y * width_;
+    motion_row_ = motion_.Row(static_cast<int>(y));
+  }
+
   MotionView motion_;
   const float* forward_;
   std::uint32_t width_;
@@ -109,9 +134,7 @@ void TargetMotionRow(const GenerationJob& job, const Arrivals& arrivals, int y,
       continue;
     }
     alignas(64) float displacement[2 * kLanes], motion[2 * kLanes];
-    for (int i = 0; i < kLanes; ++i) {
-      reader.Read(keys[x + i], displacement + 2 * i, motion + 2 * i);
-    }
+    reader.ReadAll(keys + x, displacement, motion);
     for (int i = 0; i < 2 * kLanes; i += kLanes) {
       const auto forward = hn::Load(d, displacement + i);
       hn::StoreU(forward, d, to1 + 2 * x + i);

@@ -44,14 +44,23 @@ double ReferenceInterpolate(const GridCase& c, const SampleGrid& grid, const std
   return sum;
 }
 
+// R. Keys 1981, equation 15 with a = -1/2.
+double CatmullRom(double t) {
+  t = std::abs(t);
+  if (t >= 2) return 0;
+  return t <= 1 ? (1.5 * t - 2.5) * t * t + 1 : ((-0.5 * t + 2.5) * t - 4) * t + 2;
+}
+
 double ReferenceRead(const SampleGrid& grid, const BorderedPlane& image, int i, int j) {
   const double u = std::clamp(grid.PositionX(i) - 0.5, 0.0, image.width() - 1.0);
   const double v = std::clamp(grid.PositionY(j) - 0.5, 0.0, image.height() - 1.0);
+  const int first_x = static_cast<int>(std::floor(u)), first_y = static_cast<int>(std::floor(v));
   double sum = 0;
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      sum +=
-          std::max(0.0, 1 - std::abs(u - x)) * std::max(0.0, 1 - std::abs(v - y)) * image.row(y)[x];
+  for (int y = -1; y <= 2; ++y) {
+    for (int x = -1; x <= 2; ++x) {
+      const int column = std::clamp(first_x + x, 0, image.width() - 1);
+      const int row = std::clamp(first_y + y, 0, image.height() - 1);
+      sum += CatmullRom(u - first_x - x) * CatmullRom(v - first_y - y) * image.row(row)[column];
     }
   }
   return sum;

@@ -1,0 +1,94 @@
+#!/bin/sh
+# Measures the pipeline and leaves the tables of docs/RESULTS.md for tools/update_tables.sh.
+# usage: tools/measure_pipeline.sh [--data DIR] OUT
+#   --data DIR   recorded sequences: each is judged with parameters that were calibrated on the others
+#                (default: $WARPLUT_DATA; without it only built-in scenes are measured)
+#   OUT          sequences, parameters and pictures; the tables go to OUT/tables
+# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
+set -eu
+
+data=${WARPLUT_DATA:-}
+if [ "${1:-}" = --data ] && [ $# -ge 2 ]; then
+  data=$2
+  shift 2
+fi
+if [ $# -ne 1 ]; then
+  echo "usage: tools/measure_pipeline.sh [--data DIR] OUT" >&2
+  exit 1
+fi
+mkdir -p "$1"
+out=$(cd "$1" && pwd)
+cd "$(dirname "$0")/.."
+warplut=${WARPLUT:-build/release/tools/warplut}
+lut=luts/baked/warplut_x2.json
+mkdir -p "$out/tables" "$out/params"
+
+# leave_one_out TABLE OPTION...: judges each recorded sequence with what the others ask for.
+leave_one_out() {
+  table=$out/tables/$1.md
+  shift
+  : > "$table.part"
+  for judged in "$data"/*/; do
+    name=$(basename "$judged")
+    params=$out/params/$name.json
+    set -- "$@" --
+    for other in "$data"/*/; do
+      if [ "$other" != "$judged" ]; then set -- "$@" "$other"; fi
+    done
+    # What stands behind '--' are the sequences to fit.
+    options=
+    while [ "$1" != -- ]; do
+      options="$options $1"
+      shift
+    done
+    shift
+    # shellcheck disable=SC2086 # the options have no spaces
+    "$warplut" calibrate --sequence "$@" --modes sr,i,e --lut "$lut" --motion-filter on --max-pixels 60000 \
+      --starts 0 --out "$params" $options > "$params.txt"
+    # shellcheck disable=SC2086
+    "$warplut" eval --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" --motion-filter on \
+      --params "$params" --pictures "$out/pictures$(echo "$options" | tr -d ' ')" --markdown $options |
+      grep -v '^.*\.png' >> "$table.part"
+    # shellcheck disable=SC2086
+    set -- $options
+  done
+  mv "$table.part" "$table"
+}
+
+# scales TABLE: built-in scenes that nothing was fitted on, at factors that are not whole.
+scales() {
+  table=$out/tables/$1.md
+  : > "$table.part"
+  for scale in 1.5 1.7 3; do
+    for scene in gallery harbour colonnade; do
+      folder=$out/scenes-x$scale
+      if [ ! -f "$folder/$scene/sequence.json" ]; then
+        "$warplut" dataset render "$scene" --out "$folder" --scale "$scale" --width 714 --height 408 --frames 8 \
+          > /dev/null
+      fi
+    done
+    printf 'Factor %s:\n\n' "$scale" >> "$table.part"
+    "$warplut" eval --sequence "$out/scenes-x$scale"/* --modes sr --markdown \
+      --lut "luts/baked/warplut_x$(echo "$scale" | tr . _).json" >> "$table.part"
+  done
+  mv "$table.part" "$table"
+}
+
+# bench TABLE SUBCOMMAND
+bench() {
+  code=0
+  {
+    echo '```'
+    "$warplut" bench "$2" || code=$?
+    echo '```'
+  } > "$out/tables/$1.md"
+  if [ "$code" -ne 0 ] && [ "$code" -ne 3 ]; then exit "$code"; fi
+}
+
+scales pipeline-scales
+if [ -n "$data" ]; then
+  leave_one_out pipeline-rendered
+  leave_one_out pipeline-texels --texels
+fi
+bench bench-sr sr
+bench bench-generation generation
