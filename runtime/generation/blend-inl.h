@@ -88,7 +88,7 @@ HWY_INLINE void FindSources(const GenerationJob& job, const MotionView& motion,
     hn::LoadInterleaved2(d, from + 2 * i, mx, my);
     const auto p =
         FindNearest(job, PixelNumbers(x0 + i), static_cast<float>(y), hn::Neg(mx), hn::Neg(my));
-    GatherPixels(depth, p.x, p.y, to.depth + i);
+    GatherPixels(depth, p.x, p.y, TwoRuns(p.x, p.y, job.width()), to.depth + i);
     hn::Store(hn::IfThenElseZero(p.inside, hn::Set(d, 1.0f)), d, to.inside + i);
   }
 }

@@ -1,6 +1,7 @@
 #include "runtime/generation/color_repair.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,15 +12,22 @@
 namespace warplut::generation {
 namespace {
 
-bool IsUnusable(std::uint16_t half) { return (half & 0x7C00u) == 0x7C00u; }
-bool IsUnusable(float value) { return !(std::abs(value) <= std::numeric_limits<float>::max()); }
+// The highest bit of what is returned is set if all bits of the exponent are.
+std::uint16_t ExponentSum(std::uint16_t half) {
+  return static_cast<std::uint16_t>((half & 0x7FFFu) + 0x0400u);
+}
+std::uint32_t ExponentSum(float value) {
+  return (std::bit_cast<std::uint32_t>(value) & 0x7FFFFFFFu) + 0x00800000u;
+}
 
 template <class T>
 bool AnyUnusable(const T* channels, int count) {
-  bool any = false;
-  for (int i = 0; i < count; ++i) any |= IsUnusable(channels[i]);
-  return any;
+  decltype(ExponentSum(T())) any = 0;
+  for (int i = 0; i < count; ++i) any |= ExponentSum(channels[i]);
+  return any >> (8 * sizeof(any) - 1) != 0;
 }
+
+bool IsUnusable(float value) { return !(std::abs(value) <= std::numeric_limits<float>::max()); }
 
 template <class T>
 void Repair(const ImageView& color, const MotionView& motion, const WarpOptions& options, int y,

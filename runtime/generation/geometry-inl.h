@@ -87,43 +87,86 @@ HWY_INLINE NearestPixels FindNearest(const GenerationJob& job, Floats x, float y
           hn::ConvertTo(di, hn::IfThenElseZero(inside, fy)), inside};
 }
 
-// Whether the pixels follow each other in one row, as they do where motion changes little: then vectors are read in place of
-// single pixels.
-HWY_INLINE bool IsRun(Ints x, Ints y) {
+// first, first + 1, ...; hn::Iota fills its lanes one by one unless `first` is a constant.
+HWY_INLINE Ints Numbers(int first) {
   const IntTag d;
-  const auto follow = hn::Eq(x, hn::Iota(d, hn::GetLane(x)));
-  return hn::AllTrue(d, hn::And(follow, hn::Eq(y, hn::Set(d, hn::GetLane(y)))));
+  return hn::Add(hn::Set(d, first), hn::Iota(d, 0));
 }
+
+// Pixels that are two runs, each of neighbours in a row, as they are nearly always where motion changes little: they are read and
+// written as vectors in place of single pixels. Pixels [0, kLanes) of both runs lie in the image.
+struct TwoRuns {
+  FloatMask first;  // pixels of the first run
+  int x0, y0;       // of its first pixel
+  int x1, y1;       // where the second one would begin if it had kLanes pixels
+  bool found;
+
+  HWY_INLINE TwoRuns(Ints x, Ints y, int width) {
+    const FloatTag d;
+    const IntTag di;
+    x0 = hn::GetLane(x);
+    y0 = hn::GetLane(y);
+    x1 = hn::ExtractLane(x, kLanes - 1) - (kLanes - 1);
+    y1 = hn::ExtractLane(y, kLanes - 1);
+    const auto starts = hn::Sub(x, hn::Iota(di, 0));
+    const auto in_first = hn::And(hn::Eq(starts, hn::Set(di, x0)), hn::Eq(y, hn::Set(di, y0)));
+    const auto in_second = hn::And(hn::Eq(starts, hn::Set(di, x1)), hn::Eq(y, hn::Set(di, y1)));
+    first = hn::RebindMask(d, in_first);
+    found = x0 + kLanes <= width && x1 >= 0 && hn::AllTrue(di, hn::Or(in_first, in_second));
+  }
+};
 
 // Reads pixels (x, y), given that they lie in the image.
-HWY_INLINE void GatherPixels(const ImageView& image, Ints x, Ints y, float* HWY_RESTRICT to) {
-  const IntTag d;
-  if (IsRun(x, y)) {
-    std::memcpy(to, image.Row<float>(hn::GetLane(y)) + hn::GetLane(x), sizeof(float) * kLanes);
+HWY_INLINE void GatherPixels(const ImageView& image, Ints x, Ints y, const TwoRuns& runs,
+                             float* HWY_RESTRICT to) {
+  const FloatTag d;
+  const IntTag di;
+  if (runs.found) {
+    hn::Store(hn::IfThenElse(runs.first, hn::LoadU(d, image.Row<float>(runs.y0) + runs.x0),
+                             hn::LoadU(d, image.Row<float>(runs.y1) + runs.x1)),
+              d, to);
     return;
   }
   alignas(64) std::int32_t px[kLanes], py[kLanes];
-  hn::Store(x, d, px);
-  hn::Store(y, d, py);
+  hn::Store(x, di, px);
+  hn::Store(y, di, py);
   for (int i = 0; i < kLanes; ++i) to[i] = image.Row<float>(py[i])[px[i]];
 }
-HWY_INLINE void GatherPixels(const MotionView& motion, Ints x, Ints y, float* HWY_RESTRICT to) {
-  const IntTag d;
-  if (IsRun(x, y)) {
-    std::memcpy(to, motion.Row(hn::GetLane(y)) + 2 * hn::GetLane(x), sizeof(float) * 2 * kLanes);
+
+// Motion of kLanes pixels that follow each other, at `a` for the lanes of `first` and at `b` for the others.
+HWY_INLINE void LoadMotion(FloatMask first, const float* a, const float* b, Floats& mx,
+                           Floats& my) {
+  const FloatTag d;
+  Floats ax, ay, bx, by;
+  hn::LoadInterleaved2(d, a, ax, ay);
+  hn::LoadInterleaved2(d, b, bx, by);
+  mx = hn::IfThenElse(first, ax, bx);
+  my = hn::IfThenElse(first, ay, by);
+}
+
+HWY_INLINE void GatherPixels(const MotionView& motion, Ints x, Ints y, const TwoRuns& runs,
+                             float* HWY_RESTRICT to_x, float* HWY_RESTRICT to_y) {
+  const FloatTag d;
+  const IntTag di;
+  if (runs.found) {
+    Floats mx, my;
+    LoadMotion(runs.first, motion.Row(runs.y0) + 2 * runs.x0, motion.Row(runs.y1) + 2 * runs.x1, mx,
+               my);
+    hn::Store(mx, d, to_x);
+    hn::Store(my, d, to_y);
     return;
   }
   alignas(64) std::int32_t px[kLanes], py[kLanes];
-  hn::Store(x, d, px);
-  hn::Store(y, d, py);
+  hn::Store(x, di, px);
+  hn::Store(y, di, py);
   for (int i = 0; i < kLanes; ++i) {
-    std::memcpy(to + 2 * i, motion.Row(py[i]) + 2 * px[i], 2 * sizeof(float));
+    const float* from = motion.Row(py[i]) + 2 * px[i];
+    to_x[i] = from[0];
+    to_y[i] = from[1];
   }
 }
 
-HWY_INLINE Floats PixelNumbers(int first) {
-  return hn::ConvertTo(FloatTag(), hn::Iota(IntTag(), first));
-}
+HWY_INLINE Floats PixelNumbers(int first) { return hn::ConvertTo(FloatTag(), Numbers(first)); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace warplut::generation

@@ -15,7 +15,8 @@ namespace HWY_NAMESPACE {
 
 // What frame 0 has where the pixels of a row were.
 struct alignas(64) Frame0Pixels {
-  alignas(64) float motion[2 * kPixels];
+  alignas(64) float motion_x[kPixels];
+  alignas(64) float motion_y[kPixels];
   alignas(64) float depth[kPixels];
   alignas(64) float inside[kPixels];  // 1, or 0 where the pixel lies outside of frame 0
 };
@@ -57,8 +58,9 @@ RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& fo
         Floats mx, my;
         hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
         const auto p0 = FindNearest(job, PixelNumbers(x0 + i), fy, hn::Neg(mx), hn::Neg(my));
-        GatherPixels(job.motion0, p0.x, p0.y, frame0.motion + 2 * i);
-        GatherPixels(job.depth0, p0.x, p0.y, frame0.depth + i);
+        const TwoRuns runs(p0.x, p0.y, job.width());
+        GatherPixels(job.motion0, p0.x, p0.y, runs, frame0.motion_x + i, frame0.motion_y + i);
+        GatherPixels(job.depth0, p0.x, p0.y, runs, frame0.depth + i);
         hn::Store(hn::IfThenElseZero(p0.inside, hn::Set(d, 1.0f)), d, frame0.inside + i);
       }
     }
@@ -68,8 +70,8 @@ RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& fo
       const auto x = PixelNumbers(x0 + i);
       auto m0x = mx, m0y = my;
       if (job.motion0_counts) {
-        Floats gx, gy;
-        hn::LoadInterleaved2(d, frame0.motion + 2 * i, gx, gy);
+        const auto gx = hn::Load(d, frame0.motion_x + i);
+        const auto gy = hn::Load(d, frame0.motion_y + i);
         const auto was_inside = hn::Gt(hn::Load(d, frame0.inside + i), hn::Zero(d));
         const auto counts = hn::And(was_inside, hn::And(IsFiniteVector(gx), IsFiniteVector(gy)));
         const auto difference =
@@ -99,16 +101,18 @@ RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& fo
           std::min(nearest(hn::GetLane(hn::MaxOfLanes(d, most))) + 1, job.height())};
 }
 
-// Makes each of kLanes keys that follow each other the lesser of itself and that of a source; these follow each other too.
-HWY_INLINE void KeepNearest(Floats depth, std::uint32_t first_source, SplatKey* keys) {
+// Makes those keys of kLanes that `arrives` marks the lesser of themselves and those of sources that follow each other.
+HWY_INLINE void KeepNearest(FloatMask arrives, Floats depth, std::uint32_t first_source,
+                            SplatKey* keys) {
   const hn::RebindToUnsigned<FloatTag> du;
   auto* halves = reinterpret_cast<std::uint32_t*>(keys);
   hn::Vec<decltype(du)> kept_source, kept_depth;
   hn::LoadInterleaved2(du, halves, kept_source, kept_depth);
   const auto bits = hn::BitCast(du, depth);
-  const auto source = hn::Iota(du, first_source);
-  const auto nearer = hn::Or(hn::Lt(bits, kept_depth), hn::And(hn::Eq(bits, kept_depth),
-                                                               hn::Lt(source, kept_source)));
+  const auto source = hn::BitCast(du, Numbers(static_cast<int>(first_source)));
+  const auto less = hn::Or(hn::Lt(bits, kept_depth),
+                           hn::And(hn::Eq(bits, kept_depth), hn::Lt(source, kept_source)));
+  const auto nearer = hn::And(hn::RebindMask(du, arrives), less);
   hn::StoreInterleaved2(hn::IfThenElse(nearer, source, kept_source),
                         hn::IfThenElse(nearer, bits, kept_depth), du, halves);
 }
@@ -127,15 +131,19 @@ void SplatRow(const GenerationJob& job, const MotionView& forward, int y, RowRan
     Floats dx, dy;
     hn::LoadInterleaved2(d, motion, dx, dy);
     const auto q = FindNearest(job, PixelNumbers(x), fy, dx, dy);
-    const auto kept =
-        hn::And(hn::RebindMask(di, q.inside), hn::And(hn::Gt(q.y, hn::Set(di, target.first - 1)),
-                                                      hn::Lt(q.y, hn::Set(di, target.last))));
+    const auto kept = hn::And(
+        hn::RebindMask(di, q.inside),
+        hn::And(hn::Gt(q.y, hn::Set(di, target.first - 1)), hn::Lt(q.y, hn::Set(di, target.last))));
     if (hn::AllFalse(di, kept)) continue;
     const auto clean = CleanDepths(hn::LoadU(d, depth));
     const auto source = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(job.width()) +
                         static_cast<std::uint32_t>(x);
-    if (count == kLanes && hn::AllTrue(di, kept) && IsRun(q.x, q.y)) {
-      KeepNearest(clean, source, keys.Row(hn::GetLane(q.y)) + hn::GetLane(q.x));
+    const TwoRuns runs(q.x, q.y, job.width());
+    if (count == kLanes && hn::AllTrue(di, kept) && runs.found) {
+      KeepNearest(runs.first, clean, source, keys.Row(runs.y0) + runs.x0);
+      if (!hn::AllTrue(d, runs.first)) {
+        KeepNearest(hn::Not(runs.first), clean, source, keys.Row(runs.y1) + runs.x1);
+      }
       continue;
     }
     hn::Store(q.x, di, px);

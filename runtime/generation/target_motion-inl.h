@@ -60,37 +60,52 @@ class SourceReader {
         width_(static_cast<std::uint32_t>(job.width())),
         motion_row_(job.motion1.xy) {}
 
-  HWY_INLINE void Read(SplatKey key, float* HWY_RESTRICT displacement, float* HWY_RESTRICT motion) {
+  HWY_INLINE TargetMotion Read(SplatKey key) {
     const std::uint32_t source = SplatSource(key);
-    std::memcpy(displacement, forward_ + 2 * std::size_t{source}, 2 * sizeof(float));
-    FindRow(source);
-    std::memcpy(motion, motion_row_ + 2 * std::size_t{source - row_start_}, 2 * sizeof(float));
+    const float* displacement = forward_ + 2 * std::size_t{source};
+    const float* motion = MotionOf(source);
+    return {{displacement[0] + motion[0], displacement[1] + motion[1]},
+            {displacement[0], displacement[1]}};
   }
 
-  // The same for kLanes keys whose pixels arrived.
-  HWY_INLINE void ReadAll(const SplatKey* keys, float* HWY_RESTRICT displacement,
-                          float* HWY_RESTRICT motion) {
+  // The same for kLanes pixels that are two runs of sources, those of `others` aside, whose motion is whatever; false if
+  // they are not. In vectors that follow each other from `to0` and `to1` on; to0 may be null.
+  HWY_INLINE bool ReadRuns(const SplatKey* keys, FloatMask others, float* to0, float* to1) {
+    const FloatTag d;
     const hn::RebindToUnsigned<FloatTag> du;
+    if (width_ < kLanes || keys[0] == kNoSplat || keys[kLanes - 1] == kNoSplat) return false;
     hn::Vec<decltype(du)> sources, depths;
     hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(keys), sources, depths);
-    const std::uint32_t first = SplatSource(keys[0]);
-    FindRow(first);
-    const bool one_row = first - row_start_ + kLanes <= width_;
-    if (one_row && hn::AllTrue(du, hn::Eq(sources, hn::Iota(du, first)))) {
-      std::memcpy(displacement, forward_ + 2 * std::size_t{first}, 2 * kLanes * sizeof(float));
-      std::memcpy(motion, motion_row_ + 2 * std::size_t{first - row_start_},
-                  2 * kLanes * sizeof(float));
-      return;
-    }
-    for (int i = 0; i < kLanes; ++i) Read(keys[i], displacement + 2 * i, motion + 2 * i);
+    const std::uint32_t a = SplatSource(keys[0]);
+    const std::uint32_t b = SplatSource(keys[kLanes - 1]) - (kLanes - 1);
+    if (Column(a) + kLanes > width_ || Column(b + kLanes - 1) < kLanes - 1) return false;
+    const auto starts = hn::Sub(sources, hn::Iota(du, 0));
+    const auto in_first = hn::Eq(starts, hn::Set(du, a));
+    const auto in_second = hn::Eq(starts, hn::Set(du, b));
+    const auto known = hn::Or(hn::Or(in_first, in_second), hn::RebindMask(du, others));
+    if (!hn::AllTrue(du, known)) return false;
+    const FloatMask first = hn::RebindMask(d, in_first);
+    Floats dx, dy, mx, my;
+    LoadMotion(first, forward_ + 2 * std::size_t{a}, forward_ + 2 * std::size_t{b}, dx, dy);
+    hn::StoreInterleaved2(dx, dy, d, to1);
+    if (to0 == nullptr) return true;
+    LoadMotion(first, MotionOf(a), MotionOf(b), mx, my);
+    hn::StoreInterleaved2(hn::Add(dx, mx), hn::Add(dy, my), d, to0);
+    return true;
   }
 
  private:
-  HWY_INLINE void FindRow(std::uint32_t source) {
-    if (source - row_start_ < width_) return;
-    const std::uint32_t y = source / width_;
-    row_start_ = y * width_;
-    motion_row_ = motion_.Row(static_cast<int>(y));
+  HWY_INLINE std::uint32_t Column(std::uint32_t source) {
+    if (source - row_start_ >= width_) {
+      const std::uint32_t y = source / width_;
+      row_start_ = y * width_;
+      motion_row_ = motion_.Row(static_cast<int>(y));
+    }
+    return source - row_start_;
+  }
+  HWY_INLINE const float* MotionOf(std::uint32_t source) {
+    const std::uint32_t column = Column(source);
+    return motion_row_ + 2 * std::size_t{column};
   }
 
   MotionView motion_;
@@ -106,40 +121,27 @@ void TargetMotionRow(const GenerationJob& job, const Arrivals& arrivals, int y,
   const DepthTolerance tolerance(job);
   const SplatKey* keys = arrivals.keys.Row(y);
   SourceReader reader(job, arrivals);
-  float* to0 = from0.Row(y);
+  float* to0 = job.interpolates ? from0.Row(y) : nullptr;
   float* to1 = from1.Row(y);
-  const auto search = [&](int x) {
-    const TargetMotion motion = TargetMotionAt(job, arrivals, x, y);
+  const auto set = [&](int x, const TargetMotion& motion) {
     if (job.interpolates) SetMotion(from0, x, y, motion.from0);
     SetMotion(from1, x, y, motion.from1);
   };
+  const auto search = [&](int x) { set(x, TargetMotionAt(job, arrivals, x, y)); };
   int x = 0;
   search(x++);
   for (; x + kLanes < job.width(); x += kLanes) {
     const auto marks = NeedSearch(job, arrivals.keys, tolerance, x, y);
-    if (!hn::AllFalse(d, marks)) {
-      std::uint8_t marked[hn::MaxLanes(d) / 8 + 1] = {};
-      hn::StoreMaskBits(d, marks, marked);
-      for (int i = 0; i < kLanes; ++i) {
-        if ((marked[i / 8] >> (i % 8) & 1) != 0) {
-          search(x + i);
-          continue;
-        }
-        alignas(16) float displacement[2], motion[2];
-        reader.Read(keys[x + i], displacement, motion);
-        SetMotion(from1, x + i, y, {displacement[0], displacement[1]});
-        if (!job.interpolates) continue;
-        SetMotion(from0, x + i, y, {displacement[0] + motion[0], displacement[1] + motion[1]});
-      }
-      continue;
-    }
-    alignas(64) float displacement[2 * kLanes], motion[2 * kLanes];
-    reader.ReadAll(keys + x, displacement, motion);
-    for (int i = 0; i < 2 * kLanes; i += kLanes) {
-      const auto forward = hn::Load(d, displacement + i);
-      hn::StoreU(forward, d, to1 + 2 * x + i);
-      if (job.interpolates) {
-        hn::StoreU(hn::Add(forward, hn::Load(d, motion + i)), d, to0 + 2 * x + i);
+    const bool read =
+        reader.ReadRuns(keys + x, marks, to0 == nullptr ? nullptr : to0 + 2 * x, to1 + 2 * x);
+    if (read && hn::AllFalse(d, marks)) continue;
+    std::uint8_t marked[hn::MaxLanes(d) / 8 + 1] = {};
+    hn::StoreMaskBits(d, marks, marked);
+    for (int i = 0; i < kLanes; ++i) {
+      if ((marked[i / 8] >> (i % 8) & 1) != 0) {
+        search(x + i);
+      } else if (!read) {
+        set(x + i, reader.Read(keys[x + i]));
       }
     }
   }

@@ -6,14 +6,15 @@ namespace {
 // How far the search for background goes, in pixels along each of the 8 directions.
 constexpr int kBackgroundReach = 64;
 
+// Steps of `direction` from p that stay in [0, size).
+int Reach(int p, int direction, int size) {
+  return direction < 0 ? p : direction > 0 ? size - 1 - p : kBackgroundReach;
+}
+
 struct Finder {
   const GenerationJob& job;
   const Arrivals& arrivals;
   DepthTolerance tolerance;
-
-  SplatKey KeyAt(int x, int y) const {
-    return job.Contains(x, y) ? arrivals.keys.Row(y)[x] : kNoSplat;
-  }
 
   TargetMotion Arrived(SplatKey key) const {
     const auto width = static_cast<std::uint32_t>(job.width());
@@ -25,15 +26,16 @@ struct Finder {
 
   // The mean motion of the foreground around a gap; false if (x, y) is none.
   bool Gap(int x, int y, TargetMotion* motion) const {
+    SplatKey keys[3][3];
     float depth[3][3];
     bool alike[3][3];
-    const float center = SplatDepth(KeyAt(x, y));
+    const float center = SplatDepth(arrivals.keys.Row(y)[x]);
     float nearest = center;
     for (int j = 0; j < 3; ++j) {
+      const SplatKey* row = arrivals.keys.Row(std::clamp(y + j - 1, 0, job.height() - 1));
       for (int i = 0; i < 3; ++i) {
-        const int nx = std::clamp(x + i - 1, 0, job.width() - 1);
-        const int ny = std::clamp(y + j - 1, 0, job.height() - 1);
-        depth[j][i] = SplatDepth(KeyAt(nx, ny));
+        keys[j][i] = row[std::clamp(x + i - 1, 0, job.width() - 1)];
+        depth[j][i] = SplatDepth(keys[j][i]);
         alike[j][i] = tolerance.Alike(center, depth[j][i]);
         nearest = std::min(nearest, depth[j][i]);
       }
@@ -48,9 +50,11 @@ struct Finder {
     float count = 0;
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < 3; ++i) {
-        const SplatKey key = KeyAt(x + i - 1, y + j - 1);
-        if (key == kNoSplat || !tolerance.Alike(depth[j][i], nearest)) continue;
-        const TargetMotion neighbour = Arrived(key);
+        if (keys[j][i] == kNoSplat || !job.Contains(x + i - 1, y + j - 1) ||
+            !tolerance.Alike(depth[j][i], nearest)) {
+          continue;
+        }
+        const TargetMotion neighbour = Arrived(keys[j][i]);
         sum = {sum.from0 + neighbour.from0, sum.from1 + neighbour.from1};
         count += 1;
       }
@@ -64,11 +68,14 @@ struct Finder {
   TargetMotion Background(int x, int y) const {
     constexpr int kDirections[8][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
                                        {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
+    const SplatKey* const center = arrivals.keys.Row(y) + x;
     SplatKey farthest = kNoSplat;
     for (const auto& [dx, dy] : kDirections) {
-      for (int step = 1; step <= kBackgroundReach; ++step) {
-        if (!job.Contains(x + step * dx, y + step * dy)) break;
-        const SplatKey key = KeyAt(x + step * dx, y + step * dy);
+      const std::ptrdiff_t stride = std::ptrdiff_t{dy} * job.width() + dx;
+      const int reach =
+          std::min({kBackgroundReach, Reach(x, dx, job.width()), Reach(y, dy, job.height())});
+      for (int step = 1; step <= reach; ++step) {
+        const SplatKey key = center[step * stride];
         if (key == kNoSplat) continue;
         if (farthest == kNoSplat || SplatDepth(key) > SplatDepth(farthest)) farthest = key;
         break;
