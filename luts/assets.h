@@ -6,8 +6,11 @@
 
 namespace warplut {
 
-// One per upscale factor: 1.3, 1.5, 1.7, 2, 3, 4.
-inline constexpr std::array<std::string_view, 6> kAssets = {
-    "warplut_x1_3", "warplut_x1_5", "warplut_x1_7", "warplut_x2", "warplut_x3", "warplut_x4"};
+// One per upscale factor: 1.3, 1.5, 1.7, 2, 3, 4. First those of objective `warp`, for repeated warps alone, then those of
+// objective `sr`, for the history of super resolution.
+inline constexpr std::array<std::string_view, 12> kAssets = {
+    "warplut_x1_3",    "warplut_x1_5",  "warplut_x1_7",    "warplut_x2",
+    "warplut_x3",      "warplut_x4",    "warplut_sr_x1_3", "warplut_sr_x1_5",
+    "warplut_sr_x1_7", "warplut_sr_x2", "warplut_sr_x3",   "warplut_sr_x4"};
 
 }  // namespace warplut

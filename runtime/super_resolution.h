@@ -5,14 +5,14 @@
 //      surface's at depth edges);
 //   2. q^w = history at P - m by the filter; valid where P - m is in the image, no cut, and the depth at q differs by at most T_D
 //      from the range of the 4 x 4 depths around P - m one frame ago;
-//   3. q^w limited to the colour box of the 3 x 3 render samples around P; where history is partly valid (gate_width > 0) or
+//   3. q^w limited to the colour box at P, bilinear among those of the samples around it (each of its 3 x 3 samples); where history is partly valid (gate_width > 0) or
 //      not at all the rest is the current frame alone, interpolated at P with its jitter;
 //   4. the new samples enter, in one of two forms (docs/PIPELINE.md):
 //      kSample    q = share * mean(w s) / mean(w) + (1 - share) q^w, share = BlendShare(a, mean w) over the samples within one
 //                 render pixel: equation 2 of the paper in the form that keeps constants;
 //      kResidual  q = q^w + share * (bilinearly interpolated differences of the samples from what the warped history predicts
 //                 at their own positions, by Catmull-Rom); share = BlendShare(a, SampleWeight(b, distance of the nearest
-//                 sample)).
+//                 sample)). In both the share is multiplied by the validity of the history.
 //   Without history (first frame, cut, options.history false) step 2 finds nothing valid.
 // q is limited to [0, 1] before it is stored (linear HDR: of the tone-mapped value).
 //

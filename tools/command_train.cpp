@@ -181,6 +181,11 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
                       fmt::format("Share of constant motion in the objective, in [0, 1) (default: "
                                   "0, or {} with --objective sr)",
                                   kSrPanShare));
+  command->add_option(
+      "--aliasing", options.aliasing,
+      fmt::format("Noise of samples by aliasing, in output pixels, with --objective "
+                  "sr (default: {})",
+                  kSrAliasing));
   command->add_option("--crops", options.crops,
                       "Number of crops to train on (default: the trainer's)");
   command->add_option("--stages", options.stages, "Of the training")->capture_default_str();

@@ -20,7 +20,7 @@ mkdir -p "$1"
 out=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
 warplut=${WARPLUT:-build/release/tools/warplut}
-lut=luts/baked/warplut_x2.json
+lut=luts/baked/warplut_sr_x2.json
 mkdir -p "$out/tables" "$out/params"
 
 # leave_one_out TABLE OPTION...: judges each recorded sequence with what the others ask for.
@@ -69,7 +69,7 @@ scales() {
     done
     printf 'Factor %s:\n\n' "$scale" >> "$table.part"
     "$warplut" eval --sequence "$out/scenes-x$scale"/* --modes sr --markdown \
-      --lut "luts/baked/warplut_x$(echo "$scale" | tr . _).json" >> "$table.part"
+      --lut "luts/baked/warplut_sr_x$(echo "$scale" | tr . _).json" >> "$table.part"
   done
   mv "$table.part" "$table"
 }

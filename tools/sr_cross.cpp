@@ -36,8 +36,9 @@ CrossColumn JudgeAtScale(const std::vector<CrossFilter>& filters, const std::vec
   CrossColumn column;
   column.options = options.Resolved();
   const TrainOptions& o = column.options;
-  const SrObjective objective(DrawCrops(luma, o.crops, o.seed), o.horizons, DeriveSeed(o.seed, 1),
-                              {o.scale, *o.blend_a, *o.blend_b, *o.pan_share, kPansPerCrop});
+  const SrObjective objective(
+      DrawCrops(luma, o.crops, o.seed), o.horizons, DeriveSeed(o.seed, 1),
+      {o.scale, *o.blend_a, *o.blend_b, *o.pan_share, kPansPerCrop, *o.aliasing});
   for (const Protocol& protocol : objective.protocols()) column.protocols.push_back(Name(protocol));
   column.keys_a = FitKeys(objective);
   column.keys = Judge(objective, KeysCanonicalWeights(column.keys_a));

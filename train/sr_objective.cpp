@@ -1,6 +1,7 @@
 #include "train/sr_objective.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "datasets/jitter.h"
@@ -28,14 +29,33 @@ std::vector<double> LeastKeysLosses(const Objective& objective) {
   return least;
 }
 
+float Bilinear(const BorderedPlane& plane, double x, double y) {
+  x = std::clamp(x - 0.5, 0.0, plane.width() - 1.001);
+  y = std::clamp(y - 0.5, 0.0, plane.height() - 1.001);
+  const int left = static_cast<int>(x), top = static_cast<int>(y);
+  const auto across = [&](const float* row) {
+    return std::lerp(row[left], row[left + 1], static_cast<float>(x - left));
+  };
+  return std::lerp(across(plane.row(top)), across(plane.row(top + 1)), static_cast<float>(y - top));
+}
+
 // What the samples of `grid` see of the scene after it has moved by `moved`.
 FrameSamples TakeSamples(const SampleGrid& grid, const BorderedPlane& scene,
-                         const Displacement& moved) {
+                         const Displacement& moved, double aliasing, Random& random) {
   std::vector<double> xs, ys;
   for (int i = 0; i < grid.columns(); ++i) xs.push_back(grid.PositionX(i) - moved.x);
   for (int j = 0; j < grid.rows(); ++j) ys.push_back(grid.PositionY(j) - moved.y);
   FrameSamples frame{&grid, std::vector<float>(xs.size() * ys.size())};
   SampleBandLimited(scene, xs, ys, frame.values);
+  if (!(aliasing > 0)) return frame;
+  float* value = frame.values.data();
+  for (const double y : ys) {
+    for (const double x : xs) {
+      const double dx = aliasing * random.Normal();
+      const double dy = aliasing * random.Normal();
+      *value++ += (Bilinear(scene, x + dx, y + dy) - Bilinear(scene, x - dx, y - dy)) / 2;
+    }
+  }
   return frame;
 }
 
@@ -58,7 +78,7 @@ SrObjective::SrObjective(std::vector<BorderedPlane> all_crops, const std::vector
     const std::uint64_t rollout_seed = DeriveSeed(seed, drawn++);
     const auto trajectory = DrawTrajectory(first, protocols_judged, rollout_seed);
     const int phase = Random(DeriveSeed(rollout_seed, 1)).Below(phases);
-    AddSamples(crops()[crop], phase, trajectory,
+    AddSamples(crops()[crop], phase, trajectory, options.aliasing, DeriveSeed(rollout_seed, 2),
                AddRollout(crop, first, protocols_judged, trajectory));
   };
   for (std::size_t c = 0; c < crops().size(); ++c) {
@@ -73,9 +93,11 @@ SrObjective::SrObjective(std::vector<BorderedPlane> all_crops, const std::vector
 }
 
 void SrObjective::AddSamples(const BorderedPlane& crop, std::size_t first_phase,
-                             const std::vector<Displacement>& trajectory, Rollout& rollout) {
+                             const std::vector<Displacement>& trajectory, double aliasing,
+                             std::uint64_t seed, Rollout& rollout) {
+  Random random(seed);
   Displacement moved;
-  const FrameSamples first = TakeSamples(grids_[first_phase], crop, moved);
+  const FrameSamples first = TakeSamples(grids_[first_phase], crop, moved, aliasing, random);
   BorderedPlane& start = starts_.emplace_back(crop.width(), crop.height());
   first.grid->Interpolate(first.values, start);
   FillBorder(start);
@@ -84,7 +106,7 @@ void SrObjective::AddSamples(const BorderedPlane& crop, std::size_t first_phase,
     moved.x += trajectory[t].x;
     moved.y += trajectory[t].y;
     const SampleGrid& grid = grids_[(first_phase + t + 1) % grids_.size()];
-    rollout.frames.push_back(TakeSamples(grid, crop, moved));
+    rollout.frames.push_back(TakeSamples(grid, crop, moved, aliasing, random));
   }
 }
 

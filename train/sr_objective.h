@@ -10,9 +10,17 @@
 //
 // At a horizon the displacements add up to zero, so that x_t should be the crop: an exact
 // reference. The shortest horizons judge how the loop settles, the longest what it settles to. The
-// jitter is that of datasets/jitter.h, f is drawn for each rollout. Samples are points of the
-// scene that the crop's pixel filter has seen; what a renderer's own samples add in aliasing is not
-// in them. A sample beyond the crop sees its repeated edge, which the judged part does not reach.
+// jitter is that of datasets/jitter.h, f is drawn for each rollout. A sample beyond the crop sees
+// its repeated edge, which the judged part does not reach.
+//
+// Aliasing: a renderer's sample is a point of the scene, where a pixel of the crop C is a mean over
+// a filter. What it has more than the crop's value at its position p is modelled as noise of the
+// size of the detail there, drawn for each sample of each frame, zero in the mean:
+//
+//   S = C(p) + (C(p + e) - C(p - e)) / 2      e ~ N(0, aliasing^2) in each axis, output pixels
+//
+// (bilinear in the second term). Without it the history has nothing to average, and filters that are
+// too sharp for rendered frames win.
 //
 // The form of train/objective.h with the kinds random and pan (of kNodes steps, after which every
 // pan is back at the start), whose shares are 1 - q and q, and p = 1; the baseline of each protocol
@@ -33,6 +41,7 @@ struct SrObjectiveOptions {
   double blend_b = 0;
   double pan_share = 0;   // q, in [0, 1]
   int pans_per_crop = 0;  // 0: no pan among the protocols, then pan_share is 0
+  double aliasing = 0;    // output pixels, >= 0
 };
 
 class SrObjective final : public Objective {
@@ -46,7 +55,8 @@ class SrObjective final : public Objective {
 
  private:
   void AddSamples(const BorderedPlane& crop, std::size_t first_phase,
-                  const std::vector<Displacement>& trajectory, Rollout& rollout);
+                  const std::vector<Displacement>& trajectory, double aliasing, std::uint64_t seed,
+                  Rollout& rollout);
 
   std::vector<SampleGrid> grids_;     // one for each phase
   std::deque<BorderedPlane> starts_;  // x_0 of each rollout

@@ -42,6 +42,12 @@ bool TrainOptions::IsValid(std::string* why) const {
   if (objective != TrainObjective::kSr && (blend_a || blend_b)) {
     return Refuse(why, "blend_a or blend_b is set; expected them with objective sr alone.");
   }
+  if (aliasing && objective != TrainObjective::kSr) {
+    return Refuse(why, "aliasing is set; expected it with objective sr alone.");
+  }
+  if (aliasing && !(*aliasing >= 0 && *aliasing <= 4)) {
+    return Refuse(why, fmt::format("aliasing is {}; expected a number in [0, 4].", *aliasing));
+  }
   Parameters blend;
   if (blend_a) blend.blend_a = static_cast<float>(*blend_a);
   if (blend_b) blend.blend_b = static_cast<float>(*blend_b);
@@ -79,6 +85,7 @@ TrainOptions TrainOptions::Resolved() const {
   const bool sr = objective == TrainObjective::kSr;
   resolved.pan_share = pan_share.value_or(sr ? kSrPanShare : 0.0);
   if (sr) {
+    resolved.aliasing = aliasing.value_or(kSrAliasing);
     resolved.blend_a = blend_a.value_or(Decimal(Parameters().blend_a));
     resolved.blend_b = blend_b.value_or(Decimal(Parameters().blend_b));
   }
@@ -101,6 +108,7 @@ std::string TrainOptions::Json() const {
     json["objective"] = Name(objective);
     json["blend_a"] = *blend_a;
     json["blend_b"] = *blend_b;
+    json["aliasing"] = *aliasing;
   }
   return json.dump();
 }

@@ -34,6 +34,9 @@ inline constexpr int kDefaultAdamIterations = 100;
 // The share of pans in objective `sr`.
 inline constexpr double kSrPanShare = 0.3;
 
+// The aliasing of samples in objective `sr`, in output pixels; docs/TRAINING.md says from what.
+inline constexpr double kSrAliasing = 1.5;
+
 // The work of one evaluation: crops times the longest horizon. More crops generalise better and
 // take longer.
 inline constexpr int kDefaultCropWarps = 48 * 64;
@@ -45,6 +48,8 @@ struct TrainOptions {
   // a and b of objective `sr`, in the ranges of runtime/parameters.h; empty: the defaults there.
   // Not for objective `warp`.
   std::optional<double> blend_a, blend_b;
+  // Of samples in objective `sr`, in [0, 4]; empty: kSrAliasing. Not for objective `warp`.
+  std::optional<double> aliasing;
   Optimizer optimizer = Optimizer::kLbfgs;
   std::uint64_t seed = 1;
   int threads = 0;         // 0: all

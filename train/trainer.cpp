@@ -61,8 +61,8 @@ std::unique_ptr<const Objective> MakeObjective(const TrainOptions& options,
                                                int pans_per_crop, double power,
                                                const Objective* like) {
   if (options.objective == TrainObjective::kSr) {
-    const SrObjectiveOptions sr{options.scale, *options.blend_a, *options.blend_b,
-                                *options.pan_share, pans_per_crop};
+    const SrObjectiveOptions sr{options.scale,      *options.blend_a, *options.blend_b,
+                                *options.pan_share, pans_per_crop,    *options.aliasing};
     return std::make_unique<SrObjective>(std::move(crops), options.horizons, seed, sr, like);
   }
   const WarpObjectiveOptions warp{power, *options.pan_share, pans_per_crop};

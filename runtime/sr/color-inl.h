@@ -94,33 +94,51 @@ void FillPlanes(const RenderedFrame& frame, const MotionView& motion, ColorEncod
   }
 }
 
-// The colour boxes of a row of samples: rows R, G, B of the least, then of the greatest.
+// The colour boxes along an output row, interpolated between those of the samples.
 class ColorBoxes {
  public:
-  static constexpr int kRows = 6;
+  // Sets of rows R, G, B of the least, then of the greatest: those of an even and of an odd row of samples, and the mixed ones.
+  static constexpr int kSet = 6;
+  static constexpr int kRows = 3 * kSet;
 
   HWY_INLINE ColorBoxes(const SrJob& job, Plane& rows, int first)
       : job_(job), rows_(rows), first_(first) {}
 
-  HWY_INLINE void MoveTo(int j) {
-    if (j == row_) return;
-    row_ = j;
-    for (int c = 0; c < 3; ++c) {
-      if (job_.options.clamp == ColorClamp::kBox) {
-        Extremes(job_.planes.color[c], j, Low(c), High(c));
-      } else {
-        Spread(job_.planes.color[c], j, Low(c), High(c));
-      }
+  HWY_INLINE void MoveTo(int y) {
+    const int j = job_.y.cell()[y];
+    Find(j);
+    Find(j + 1);
+    for (int r = 0; r < kSet; ++r) {
+      MixRows(Row(j % 2, r), Row((j + 1) % 2, r), job_.y.fraction()[y], job_.x.render(),
+              Row(kMixed, r));
     }
   }
 
-  HWY_INLINE Floats Clamp(const Columns& nearest, int c, Floats v) {
-    return hn::Min(hn::Max(v, nearest.At(Low(c))), nearest.At(High(c)));
+  // v limited to the boxes at fractions t of the way from `cell` to the next.
+  HWY_INLINE Floats Clamp(const Columns& cell, Floats t, int c, Floats v) {
+    const auto low = cell.Mixed(Row(kMixed, c), t);
+    const auto high = cell.Mixed(Row(kMixed, 3 + c), t);
+    return hn::Min(hn::Max(v, low), high);
   }
 
  private:
-  HWY_INLINE float* Low(int c) { return rows_.Row(first_ + c); }
-  HWY_INLINE float* High(int c) { return rows_.Row(first_ + 3 + c); }
+  static constexpr int kMixed = 2;
+
+  HWY_INLINE float* Row(int set, int r) { return rows_.Row(first_ + set * kSet + r); }
+
+  HWY_INLINE void Find(int j) {
+    const int set = j % 2;
+    if (found_[set] == j) return;
+    found_[set] = j;
+    for (int c = 0; c < 3; ++c) {
+      if (job_.options.clamp == ColorClamp::kBox) {
+        Extremes(job_.planes.color[c], j, Row(set, c), Row(set, 3 + c));
+      } else {
+        Spread(job_.planes.color[c], j, Row(set, c), Row(set, 3 + c));
+      }
+    }
+    for (int r = 0; r < kSet; ++r) rows_.ExtendRow(first_ + set * kSet + r);
+  }
 
   static HWY_INLINE void Extremes(const Plane& color, int j, float* low, float* high) {
     const FloatTag d;
@@ -141,20 +159,28 @@ class ColorBoxes {
 
   HWY_INLINE void Spread(const Plane& color, int j, float* low, float* high) const {
     const FloatTag d;
-    const auto ninth = hn::Set(d, 1.0f / 9.0f);
+    const auto middle = hn::Set(d, kBoxMiddle);
+    const auto side = hn::Set(d, kBoxSide);
     const auto gamma = hn::Set(d, job_.options.parameters.clamp_gamma);
+    const auto add = [&](Floats weight, Floats s, Floats& sum, Floats& squares) HWY_ATTR {
+      const auto weighted = hn::Mul(weight, s);
+      sum = hn::Add(sum, weighted);
+      squares = hn::MulAdd(weighted, s, squares);
+    };
     for (int i = 0; i < color.width(); i += kLanes) {
-      auto sum = hn::Zero(d);
-      auto squares = hn::Zero(d);
+      auto mean = hn::Zero(d);
+      auto square = hn::Zero(d);
       for (int y = j - 1; y <= j + 1; ++y) {
-        for (int x = i - 1; x <= i + 1; ++x) {
-          const auto s = hn::LoadU(d, color.Row(y) + x);
-          sum = hn::Add(sum, s);
-          squares = hn::MulAdd(s, s, squares);
-        }
+        auto sum = hn::Zero(d);
+        auto squares = hn::Zero(d);
+        add(side, hn::LoadU(d, color.Row(y) + i - 1), sum, squares);
+        add(middle, hn::LoadU(d, color.Row(y) + i), sum, squares);
+        add(side, hn::LoadU(d, color.Row(y) + i + 1), sum, squares);
+        const auto weight = y == j ? middle : side;
+        mean = hn::MulAdd(weight, sum, mean);
+        square = hn::MulAdd(weight, squares, square);
       }
-      const auto mean = hn::Mul(sum, ninth);
-      const auto variance = hn::NegMulAdd(mean, mean, hn::Mul(squares, ninth));
+      const auto variance = hn::NegMulAdd(mean, mean, square);
       const auto half = hn::Mul(gamma, hn::Sqrt(hn::Max(variance, hn::Zero(d))));
       hn::Store(Limit(hn::Sub(mean, half)), d, low + i);
       hn::Store(Limit(hn::Add(mean, half)), d, high + i);
@@ -164,7 +190,7 @@ class ColorBoxes {
   const SrJob& job_;
   Plane& rows_;
   int first_;
-  int row_ = -1;
+  int found_[2] = {-1, -1};  // the row of samples in each set
 };
 
 // Weights of the taps 0 and 1, or -1 to 2, at kLanes fractions.
@@ -217,7 +243,7 @@ void PredictRow(const SrJob& job, int y, const float* validity, ColorBoxes& boxe
   const auto one = hn::Set(d, 1.0f);
   const auto zero = hn::Zero(d);
   const bool clamped = job.options.clamp != ColorClamp::kNone;
-  if (clamped && job.has_history) boxes.MoveTo(job.y.nearest()[y]);
+  if (clamped && job.has_history) boxes.MoveTo(y);
   for (int x = 0; x < job.x.output(); x += kLanes) {
     const int left = job.x.output() - x;
     const auto valid = job.has_history ? hn::Load(d, validity + x) : zero;
@@ -227,10 +253,11 @@ void PredictRow(const SrJob& job, int y, const float* validity, ColorBoxes& boxe
     if (some) {
       p = LoadPixels(job.next, x, y, left);
       if (clamped) {
-        const Columns nearest(job.x.nearest(), x);
-        p.r = boxes.Clamp(nearest, 0, p.r);
-        p.g = boxes.Clamp(nearest, 1, p.g);
-        p.b = boxes.Clamp(nearest, 2, p.b);
+        const Columns cell(job.x.cell(), x);
+        const auto t = hn::LoadU(d, job.x.fraction() + x);
+        p.r = boxes.Clamp(cell, t, 0, p.r);
+        p.g = boxes.Clamp(cell, t, 1, p.g);
+        p.b = boxes.Clamp(cell, t, 2, p.b);
       } else {
         p = {Limit(p.r), Limit(p.g), Limit(p.b), p.a};
       }

@@ -40,7 +40,7 @@ struct SrScratch {
   Plane render_rows;    // kRenderRows rows on the render grid
   Plane output_rows;    // kOutputRows rows on the output grid
 
-  static constexpr int kRenderRows = 13;
+  static constexpr int kRenderRows = 25;
   static constexpr int kOutputRows = 3;
 };
 

@@ -14,6 +14,10 @@ struct Surface {
 // Depths of neighbouring samples that differ by more, relative to the lesser, belong to different surfaces.
 inline constexpr float kSurfaceStep = 0.03f;
 
+// Weights of a sample and of each of its two neighbours, along one axis, in the mean and variance of a colour box.
+inline constexpr float kBoxMiddle = 0.6f;
+inline constexpr float kBoxSide = 0.2f;
+
 // What is taken off a residual, towards 0: the rounding of the history makes differences of this size, which would keep a still image
 // moving. A unit in the last place of [1/2, 1]; codes settle by themselves.
 constexpr float ResidualSlack(PixelFormat history) {
@@ -47,10 +51,14 @@ struct Rgb {
   float c[3];
 };
 
-// The colour box around output pixel (x, y), in [0, 1].
 struct ColorBox {
   Rgb low, high;
 };
+
+// The colour box of the 3 x 3 samples around (i, j), in [0, 1].
+ColorBox SampleColorBox(const SrJob& job, int i, int j);
+
+// The colour box at the centre of output pixel (x, y): bilinear among those of the four samples around it.
 ColorBox ColorBoxAt(const SrJob& job, int x, int y);
 
 // The current frame alone at the centre of output pixel (x, y), in [0, 1].

@@ -72,9 +72,10 @@ Rgb UpdateFromSamples(const SrJob& job, int x, int y, const Rgb& predicted, floa
   return q;
 }
 
-Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted) {
+Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, float validity) {
   const Parameters& parameters = job.options.parameters;
   const float share =
+      validity *
       BlendShare(parameters.blend_a, SampleWeight(parameters.blend_b, Distance(job, x, y, 0, 0)));
   const int i = job.x.cell()[x];
   const int j = job.y.cell()[y];
@@ -115,31 +116,49 @@ void FillPlanesReference(const RenderedFrame& frame, const MotionView& motion,
   }
 }
 
-ColorBox ColorBoxAt(const SrJob& job, int x, int y) {
-  const int i = job.x.nearest()[x];
-  const int j = job.y.nearest()[y];
+ColorBox SampleColorBox(const SrJob& job, int i, int j) {
   ColorBox box;
   for (int c = 0; c < 3; ++c) {
-    float low = 1, high = 0, sum = 0, squares = 0;
+    float low = 1, high = 0, mean = 0, square = 0;
     for (int dj = -1; dj <= 1; ++dj) {
       for (int di = -1; di <= 1; ++di) {
         const float s = job.planes.color[c].Row(j + dj)[i + di];
+        const float weight = (dj == 0 ? kBoxMiddle : kBoxSide) * (di == 0 ? kBoxMiddle : kBoxSide);
         low = std::min(low, s);
         high = std::max(high, s);
-        sum += s;
-        squares += s * s;
+        mean += weight * s;
+        square += weight * s * s;
       }
     }
     if (job.options.clamp == ColorClamp::kVariance) {
-      const float mean = sum / 9;
       const float half =
-          job.options.parameters.clamp_gamma * std::sqrt(std::max(squares / 9 - mean * mean, 0.0f));
+          job.options.parameters.clamp_gamma * std::sqrt(std::max(square - mean * mean, 0.0f));
       low = mean - half;
       high = mean + half;
     }
     const bool none = job.options.clamp == ColorClamp::kNone;
     box.low.c[c] = none ? 0.0f : Limit(low);
     box.high.c[c] = none ? 1.0f : Limit(high);
+  }
+  return box;
+}
+
+ColorBox ColorBoxAt(const SrJob& job, int x, int y) {
+  const int i = job.x.cell()[x];
+  const int j = job.y.cell()[y];
+  const ColorBox corners[4] = {SampleColorBox(job, i, j), SampleColorBox(job, i + 1, j),
+                               SampleColorBox(job, i, j + 1), SampleColorBox(job, i + 1, j + 1)};
+  const auto mixed = [&](Rgb ColorBox::*bound, int c) {
+    const auto value = [&](int corner) { return (corners[corner].*bound).c[c]; };
+    const float fy = job.y.fraction()[y];
+    const float left = value(0) + fy * (value(2) - value(0));
+    const float right = value(1) + fy * (value(3) - value(1));
+    return left + job.x.fraction()[x] * (right - left);
+  };
+  ColorBox box;
+  for (int c = 0; c < 3; ++c) {
+    box.low.c[c] = mixed(&ColorBox::low, c);
+    box.high.c[c] = mixed(&ColorBox::high, c);
   }
   return box;
 }
@@ -226,9 +245,9 @@ void UpdateReference(const SrJob& job, int begin, int end, SrScratch&,
     for (int x = 0; x < job.x.output(); ++x) {
       Rgb q = {{Load(job.next, x, y, 0), Load(job.next, x, y, 1), Load(job.next, x, y, 2)}};
       if (job.options.history) {
-        q = job.options.form == HistoryForm::kSample
-                ? UpdateFromSamples(job, x, y, q, Load(job.next, x, y, 3))
-                : UpdateFromResidual(job, x, y, q);
+        const float validity = Load(job.next, x, y, 3);
+        q = job.options.form == HistoryForm::kSample ? UpdateFromSamples(job, x, y, q, validity)
+                                                     : UpdateFromResidual(job, x, y, q, validity);
       }
       for (float& channel : q.c) channel = Limit(channel);
       for (int c = 0; c < 3; ++c) Store(job.next, x, y, c, q.c[c]);

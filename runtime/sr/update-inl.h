@@ -65,12 +65,13 @@ HWY_INLINE Floats BlendShares(float a, Floats weight) {
   return hn::Min(hn::Mul(hn::Set(d, a), weight), hn::Set(d, 1.0f));
 }
 
-// Adds the residual rows, mixed for row y, to kLanes pixels.
+// Adds the residual rows, mixed for row y, to kLanes pixels, whose alpha is the validity.
 HWY_INLINE void AddResidual(const SrJob& job, int x, int y, const Plane& mixed, Pixels& p) {
   const FloatTag d;
   const Parameters& parameters = job.options.parameters;
   const auto distance = DistanceOf(hn::LoadU(d, job.x.offset() + x), hn::Set(d, job.y.offset()[y]));
-  const auto share = BlendShares(parameters.blend_a, SampleWeights(parameters.blend_b, distance));
+  const auto share =
+      hn::Mul(p.a, BlendShares(parameters.blend_a, SampleWeights(parameters.blend_b, distance)));
   if (hn::AllTrue(d, hn::Le(share, hn::Zero(d)))) return;
   const Columns cell(job.x.cell(), x);
   const auto t = hn::LoadU(d, job.x.fraction() + x);

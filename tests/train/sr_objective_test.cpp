@@ -54,6 +54,17 @@ TEST(SrObjective, AConstantImageStaysConstant) {
   for (const double loss : objective.Losses(KeysCanonicalWeights(-0.6))) EXPECT_NEAR(loss, 0, 2e-6);
 }
 
+// Noise favours filters that blur.
+TEST(SrObjective, AliasingAddsLossAndMovesTheBestKernelTowardsSoft) {
+  SrObjectiveOptions options = kOptions;
+  const SrObjective clean(Crops(), {4, 24}, 5, options);
+  options.aliasing = 1.5;
+  const SrObjective noisy(Crops(), {4, 24}, 5, options);
+  EXPECT_GT(noisy.Losses(KeysCanonicalWeights(-0.6))[1],
+            1.2 * clean.Losses(KeysCanonicalWeights(-0.6))[1]);
+  EXPECT_GT(FitKeys(noisy), FitKeys(clean));
+}
+
 TEST(SrObjective, ScaledBaselinesAreThoseOfTheOtherCropsTimesWhatCatmullRomLoses) {
   const SrObjective there(Crops(2), {4, 24}, 5, kOptions);
   const SrObjective here(Crops(3), {4, 24}, 6, kOptions, &there);

@@ -45,6 +45,7 @@ TEST(TrainOptions, BlendAndPansOfObjectiveSrResolveToThePipelines) {
   EXPECT_EQ(static_cast<float>(*resolved.blend_a), Parameters().blend_a);
   EXPECT_EQ(static_cast<float>(*resolved.blend_b), Parameters().blend_b);
   EXPECT_EQ(*resolved.pan_share, kSrPanShare);
+  EXPECT_EQ(*resolved.aliasing, kSrAliasing);
   options.blend_a = 2.5;
   options.blend_b = 0.8;
   const std::string json = options.Resolved().Json();
@@ -75,6 +76,12 @@ TEST(TrainOptions, EachBadValueIsNamed) {
       {"gain_bound", [](TrainOptions& o) { o.gain_bound = 0.5; }},
       {"pan_share", [](TrainOptions& o) { o.pan_share = 1; }},
       {"blend_a", [](TrainOptions& o) { o.blend_a = 0.5; }},
+      {"aliasing is set", [](TrainOptions& o) { o.aliasing = 0.5; }},
+      {"aliasing is -1",
+       [](TrainOptions& o) {
+         o.objective = TrainObjective::kSr;
+         o.aliasing = -1;
+       }},
       {"blend_a is 9",
        [](TrainOptions& o) {
          o.objective = TrainObjective::kSr;

@@ -16,6 +16,8 @@ namespace {
 constexpr int kProfileRounds = 3;
 // Less gain than this is not worth another round.
 constexpr double kProfileGain = 1e-6;
+// The part of the way down to an optimum that is gone midway to it, where it lies downhill.
+constexpr double kDownhill = 0.25;
 
 // Whether the parameter is what a gate compares with.
 bool IsThreshold(const ParameterInfo& info) {
@@ -89,13 +91,21 @@ class Calibration {
     const Candidate from{start, Keep(start)};
     Point point = space_.ToPoint(start);
     double radius = kTrustRadius;
-    for (const float width : widths_) point = FitAtWidth(log_, space_, width, point, &radius);
+    // Where a narrower gate asks for the same point, a still narrower one does as well.
+    for (const float width : widths_) {
+      const Point before = point;
+      point = FitAtWidth(log_, space_, width, point, &radius);
+      if (width != widths_.front() && Distance(point, before) < kDifference) break;
+    }
     const Parameters soft = space_.ToParameters(point);
     Candidate to{soft, Keep(soft)};
     if (!(to.loss < from.loss)) to = from;
 
-    int optimum = OptimumOf(to);
-    if (optimum < 0 || std::abs(to.loss - result_.optima[optimum].loss) > kSameLoss) {
+    int optimum = OptimumBelow(to);
+    const bool downhill = optimum >= 0;
+    if (!downhill) optimum = OptimumOf(to);
+    if (!downhill &&
+        (optimum < 0 || std::abs(to.loss - result_.optima[optimum].loss) > kSameLoss)) {
       to = PatternSearch(log_, space_, to, kFirstPatternStep, kCoarsePatternStep);
       optimum = OptimumOf(to);
       Keep(to.parameters);
@@ -107,19 +117,37 @@ class Calibration {
       } else if (to.loss < result_.optima[optimum].loss) {
         result_.optima[optimum] = to;
       }
-      result_.starts.push_back({name, from, to, optimum});
+      result_.starts.push_back({name, from, to, optimum, downhill});
     }
     done_ += 1;
   }
 
-  // The optimum that the candidate belongs to, or -1.
-  int OptimumOf(const Candidate& candidate) {
-    const Point at = space_.ToPoint(candidate.parameters);
+  // The optimum that lies downhill from the candidate, or -1: midway to it a good part of the difference is gone. From a plateau
+  // it is not.
+  int OptimumBelow(const Candidate& candidate) {
     for (std::size_t i = 0; i < result_.optima.size(); ++i) {
       const Candidate& other = result_.optima[i];
-      Point midway = space_.ToPoint(other.parameters);
-      for (std::size_t k = 0; k < midway.size(); ++k) midway[k] = (midway[k] + at[k]) / 2;
-      const std::optional<double> loss = log_.Loss(space_.ToParameters(midway));
+      const std::optional<double> loss = LossMidway(candidate, other);
+      if (loss && candidate.loss > other.loss &&
+          *loss <= candidate.loss - kDownhill * (candidate.loss - other.loss)) {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  }
+
+  std::optional<double> LossMidway(const Candidate& a, const Candidate& b) {
+    Point midway = space_.ToPoint(a.parameters);
+    const Point at = space_.ToPoint(b.parameters);
+    for (std::size_t k = 0; k < midway.size(); ++k) midway[k] = (midway[k] + at[k]) / 2;
+    return log_.Loss(space_.ToParameters(midway));
+  }
+
+  // The optimum that the candidate belongs to, or -1.
+  int OptimumOf(const Candidate& candidate) {
+    for (std::size_t i = 0; i < result_.optima.size(); ++i) {
+      const Candidate& other = result_.optima[i];
+      const std::optional<double> loss = LossMidway(candidate, other);
       if (loss && *loss <= std::max(candidate.loss, other.loss) + kRidge) {
         return static_cast<int>(i);
       }
@@ -199,7 +227,7 @@ class Calibration {
           std::find(order.begin(), order.end(), static_cast<std::size_t>(start.optimum));
       start.optimum = static_cast<int>(at - order.begin());
       const double reached = result_.optima[static_cast<std::size_t>(start.optimum)].loss;
-      if (start.to.loss > reached + kSameLoss) start.optimum = -1;
+      if (!start.downhill && start.to.loss > reached + kSameLoss) start.optimum = -1;
     }
   }
 

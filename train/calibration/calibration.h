@@ -1,6 +1,7 @@
 // Calibration: the parameters with the least loss of the runtime's own code, and what the data says about them.
 //
-// 1. From each start, Levenberg-Marquardt on gates of finite width, narrowed step by step (a hard gate is flat almost everywhere);
+// 1. From each start, Levenberg-Marquardt on gates of finite width, narrowed step by step (a hard gate is flat almost everywhere) until
+//    the point stays where it is;
 //    if no threshold is fitted, on the hard gates at once. Where the result is no better than the start, the start stays.
 // 2. A search without derivatives on the hard gates, which never accepts more loss; coarse from each start, fine from the best end.
 // 3. The loss profile of each parameter; a better point in it is polished as well.
@@ -51,6 +52,8 @@ struct CalibrationStart {
   // Index in CalibrationResult::optima; -1 where the search got stuck (on a plateau, for example): no ridge lies between its end
   // and an optimum, but its loss is larger by more than kSameLoss.
   int optimum = -1;
+  bool downhill =
+      false;  // the search ended where the optimum was in sight: the loss falls evenly towards it
 };
 
 struct CalibratedParameter {

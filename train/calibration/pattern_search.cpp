@@ -1,10 +1,15 @@
 #include "train/calibration/pattern_search.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace warplut {
 namespace {
+
+// In steps: how far trials are that a quadratic function is fitted to, and how far its least point may be.
+constexpr double kQuadraticReach = 2.5;
 
 class Search {
  public:
@@ -22,6 +27,7 @@ class Search {
       for (std::size_t i = 0; i < point_.size(); ++i) {
         if (!flat_[i]) TryCoordinate(i, step);
       }
+      TryLeastOfQuadratic(step);
       if (!(best_.loss < loss_before - kPatternGain)) {
         step *= kPatternShrink;
       } else if (point_.size() > 1) {
@@ -46,6 +52,7 @@ class Search {
     const Parameters parameters = space_.ToParameters(point);
     const std::optional<double> loss = log_.Loss(parameters);
     if (!loss) return {};
+    tried_.emplace_back(point, *loss);
     const bool better = *loss < best_.loss;
     if (better) {
       best_ = {parameters, *loss};
@@ -75,10 +82,58 @@ class Search {
     if (std::abs(least) > kLastPatternStep / 4) Try(moved(least));
   }
 
+  // The least point, no farther than two steps, of the quadratic function that fits the trials around here best.
+  void TryLeastOfQuadratic(double step) {
+    const auto p = static_cast<Eigen::Index>(point_.size());
+    const Eigen::Index terms = (p + 1) * (p + 2) / 2;
+    std::vector<const std::pair<Point, double>*> near;
+    for (const auto& trial : tried_) {
+      if (Distance(trial.first, point_) <= kQuadraticReach * step) near.push_back(&trial);
+    }
+    if (p < 2 || static_cast<Eigen::Index>(near.size()) < terms) return;
+    Eigen::MatrixXd design(static_cast<Eigen::Index>(near.size()), terms);
+    Eigen::VectorXd losses(design.rows());
+    for (Eigen::Index row = 0; row < design.rows(); ++row) {
+      const auto& [point, loss] = *near[static_cast<std::size_t>(row)];
+      losses[row] = loss - best_.loss;
+      Eigen::Index column = 0;
+      design(row, column++) = 1;
+      for (std::size_t i = 0; i < point.size(); ++i) {
+        const double x = (point[i] - point_[i]) / step;
+        design(row, column++) = x;
+        for (std::size_t j = 0; j <= i; ++j) {
+          design(row, column++) = x * (point[j] - point_[j]) / step * (i == j ? 0.5 : 1.0);
+        }
+      }
+    }
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(design);
+    if (solver.rank() < terms) return;
+    const Eigen::VectorXd fit = solver.solve(losses);
+    Eigen::VectorXd gradient(p);
+    Eigen::MatrixXd hessian(p, p);
+    Eigen::Index at = 1;
+    for (Eigen::Index i = 0; i < p; ++i) {
+      gradient[i] = fit[at++];
+      for (Eigen::Index j = 0; j <= i; ++j) hessian(i, j) = hessian(j, i) = fit[at++];
+    }
+    const Eigen::LLT<Eigen::MatrixXd> factor(hessian);
+    if (factor.info() != Eigen::Success) return;
+    Eigen::VectorXd move = factor.solve(-gradient);
+    const double length = move.cwiseAbs().maxCoeff();
+    if (length < 0.1) return;
+    if (length > kQuadraticReach) move *= kQuadraticReach / length;
+    Point point = point_;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      point[i] += step * move[static_cast<Eigen::Index>(i)];
+    }
+    Try(std::move(point));
+  }
+
   RunLog& log_;
   const SearchSpace& space_;
   Candidate best_;
   Point point_;
+  std::vector<std::pair<Point, double>> tried_;
   std::vector<bool> flat_;
 };
 

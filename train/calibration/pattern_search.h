@@ -16,7 +16,7 @@ inline constexpr double kFirstPatternStep = 0.05;
 inline constexpr double kCoarsePatternStep = 0.0125;  // enough to tell where a start leads
 inline constexpr double kLastPatternStep = 0.003;
 inline constexpr double kPatternShrink = 0.25;
-inline constexpr double kPatternGain = 5e-6;  // of the loss; a round that gains less ends its step
+inline constexpr double kPatternGain = 2e-5;  // of the loss; a round that gains less ends its step
 
 // Hooke and Jeeves, 1961, with a parabola through each coordinate's three points: tries a step up and down each coordinate, then
 // the parabola's least point, then once more the way that a whole round of coordinates went; where a round gains nothing the

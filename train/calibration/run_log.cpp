@@ -17,10 +17,7 @@ constexpr double kSaveSeconds = 2;  // at most this much is lost when the proces
 }  // namespace
 
 RunLog::RunLog(ResidualFunction& function, RunLogOptions options)
-    : function_(function),
-      options_(std::move(options)),
-      start_(Clock::now()),
-      saved_(Clock::now()) {
+    : function_(function), options_(std::move(options)), start_(Clock::now()) {
   if (options_.resume && std::filesystem::exists(options_.checkpoint)) {
     Load();
     CheckThatRunsRepeat();
@@ -42,7 +39,9 @@ const std::vector<double>* RunLog::Residuals(const Parameters& parameters, float
   std::vector<double> residuals(function_.Size());
   function_.Evaluate(parameters, gate_width, residuals);
   const auto added = runs_.emplace(key, std::move(residuals)).first;
-  if (std::chrono::duration<double>(Clock::now() - saved_).count() > kSaveSeconds) Save();
+  if (!saved_ || std::chrono::duration<double>(Clock::now() - *saved_).count() > kSaveSeconds) {
+    Save();
+  }
   return &added->second;
 }
 

@@ -57,7 +57,7 @@ class RunLog {
   ResidualFunction& function_;
   const RunLogOptions options_;
   const Clock::time_point start_;
-  Clock::time_point saved_;
+  std::optional<Clock::time_point> saved_;  // nothing before the first run: a full disk shows early
   Stop stop_ = Stop::kNone;
   std::map<Key, std::vector<double>> runs_;
 };

@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -23,8 +24,19 @@ class RunResiduals final : public ceres::CostFunction {
     mutable_parameter_block_sizes()->assign(static_cast<std::size_t>(space.size()), 1);
   }
 
+  // Once the log has stopped everything is 0, which ends the fit in silence; a failure would be logged by Ceres.
   bool Evaluate(const double* const* coordinates, double* residuals,
                 double** jacobians) const override {
+    if (EvaluateRuns(coordinates, residuals, jacobians)) return true;
+    std::fill_n(residuals, num_residuals(), 0.0);
+    for (int i = 0; jacobians != nullptr && i < space_.size(); ++i) {
+      if (jacobians[i] != nullptr) std::fill_n(jacobians[i], num_residuals(), 0.0);
+    }
+    return true;
+  }
+
+ private:
+  bool EvaluateRuns(const double* const* coordinates, double* residuals, double** jacobians) const {
     Point point;
     for (int i = 0; i < space_.size(); ++i) {
       point.push_back(std::clamp(coordinates[i][0], 0.0, 1.0));
@@ -33,15 +45,40 @@ class RunResiduals final : public ceres::CostFunction {
     if (here == nullptr) return false;
     std::copy(here->begin(), here->end(), residuals);
     if (jacobians == nullptr) return true;
+    if (!UpdateJacobian(point, *here)) return false;
     for (int i = 0; i < space_.size(); ++i) {
-      if (jacobians[i] != nullptr && !Column(point, i, *here, jacobians[i])) return false;
+      if (jacobians[i] == nullptr) continue;
+      const auto column = jacobian_.col(i);
+      std::copy(column.begin(), column.end(), jacobians[i]);
     }
     return true;
   }
 
- private:
   const std::vector<double>* At(const Point& point) const {
     return log_.Residuals(space_.ToParameters(point), gate_width_);
+  }
+
+  // By differences where there is no Jacobian yet; then with what the step from the last point showed.
+  bool UpdateJacobian(const Point& point, const std::vector<double>& here) const {
+    const Eigen::VectorXd x = Eigen::VectorXd::Map(point.data(), space_.size());
+    const Eigen::VectorXd r = Eigen::VectorXd::Map(here.data(), num_residuals());
+    if (jacobian_.size() == 0) {
+      Eigen::MatrixXd jacobian(num_residuals(), space_.size());
+      for (int i = 0; i < space_.size(); ++i) {
+        if (!Column(point, i, here, jacobian.col(i).data())) return false;
+      }
+      jacobian_ = std::move(jacobian);
+    } else {
+      const Eigen::VectorXd step = x - point_;
+      const double square = step.squaredNorm();
+      if (square > 0) {
+        const Eigen::VectorXd missed = r - residuals_ - jacobian_ * step;
+        jacobian_ += missed * (step / square).transpose();
+      }
+    }
+    point_ = x;
+    residuals_ = r;
+    return true;
   }
 
   bool Column(const Point& point, int i, const std::vector<double>& here, double* column) const {
@@ -58,6 +95,9 @@ class RunResiduals final : public ceres::CostFunction {
   RunLog& log_;
   const SearchSpace& space_;
   const float gate_width_;
+  // Of the last point at which Ceres asked for a Jacobian.
+  mutable Eigen::MatrixXd jacobian_;
+  mutable Eigen::VectorXd point_, residuals_;
 };
 
 }  // namespace

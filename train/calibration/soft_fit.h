@@ -14,7 +14,7 @@ Point FitAtWidth(RunLog& log, const SearchSpace& space, float gate_width, const 
 
 // To begin with. A loss of which most is there at any parameter varies slowly beside its size, so that J^T J understates its
 // curvature: short steps first.
-inline constexpr double kTrustRadius = 1.0;
+inline constexpr double kTrustRadius = 0.2;
 
 // Steps of the differences, of the unit cube's side: larger than the noise of frames that are stored in 8 bits or half float.
 inline constexpr double kDifference = 0.01;

@@ -153,26 +153,44 @@ TEST(Validity, MeasuresAreThoseOfTheGates) {
   EXPECT_EQ(ValidityReference(none.View(), 3, 3, 0.9f, 0, 0), 1.0f);
 }
 
-TEST(ColorBox, HoldsTheNeighbourhood) {
+TEST(ColorBox, HoldsTheNeighbourhoodOfASample) {
   SuperResolutionOptions options = TestOptions(5, 5, 10, 10);
   TestFrame frame(5, 5);
   frame.SetColor(2, 2, 0.8f, 0.1f, 0.5f);
   options.clamp = ColorClamp::kBox;
-  const ColorBox box = ColorBoxAt(TestJob(options, frame).View(), 3, 3);
+  const ColorBox box = SampleColorBox(TestJob(options, frame).View(), 1, 1);
   EXPECT_EQ(box.low.c[0], 0.5f);
   EXPECT_EQ(box.high.c[0], 0.8f);
   EXPECT_EQ(box.low.c[1], 0.1f);
   options.clamp = ColorClamp::kVariance;
   options.parameters.clamp_gamma = 2;
-  const ColorBox variance = ColorBoxAt(TestJob(options, frame).View(), 3, 3);
-  const float mean = 0.5f + 0.3f / 9;
-  const float sigma = 0.3f * std::sqrt(8.0f) / 9;
+  const ColorBox variance = SampleColorBox(TestJob(options, frame).View(), 1, 1);
+  const float weight = kBoxSide * kBoxSide;
+  const float mean = 0.5f + 0.3f * weight;
+  const float sigma = 0.3f * std::sqrt(weight * (1 - weight));
   EXPECT_NEAR(variance.low.c[0], mean - 2 * sigma, 1e-5f);
   EXPECT_NEAR(variance.high.c[0], mean + 2 * sigma, 1e-5f);
   options.clamp = ColorClamp::kNone;
-  const ColorBox none = ColorBoxAt(TestJob(options, frame).View(), 3, 3);
+  const ColorBox none = SampleColorBox(TestJob(options, frame).View(), 1, 1);
   EXPECT_EQ(none.low.c[0], 0.0f);
   EXPECT_EQ(none.high.c[0], 1.0f);
+}
+
+TEST(ColorBox, IsBilinearBetweenSamples) {
+  TestFrame frame(5, 5);
+  frame.SetColor(2, 2, 0.8f, 0.1f, 0.5f);
+  for (const ColorClamp clamp : {ColorClamp::kBox, ColorClamp::kVariance}) {
+    SuperResolutionOptions options = TestOptions(5, 5, 10, 10);
+    options.clamp = clamp;
+    const TestJob job(options, frame);
+    // Output pixel 3 lies at 1.25 among the samples, 1 at 0.25.
+    const auto low = [&](int i, int j) { return SampleColorBox(job.View(), i, j).low.c[1]; };
+    const float upper = low(1, 0) + 0.25f * (low(2, 0) - low(1, 0));
+    const float lower = low(1, 1) + 0.25f * (low(2, 1) - low(1, 1));
+    EXPECT_NEAR(ColorBoxAt(job.View(), 3, 1).low.c[1], upper + 0.25f * (lower - upper), 1e-6f);
+    // Beyond the outermost samples the box is theirs.
+    EXPECT_NEAR(ColorBoxAt(job.View(), 9, 9).low.c[1], low(4, 4), 1e-6f);
+  }
 }
 
 TEST(CurrentFrame, ReproducesALinearImageAtItsJitter) {

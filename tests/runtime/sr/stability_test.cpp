@@ -117,9 +117,10 @@ TEST(Stability, ALongJitterCycleSettlesToACycle) {
     ImageBuffer& target = i == 9999 - kCycle ? early : out;
     sr.Process(frames[static_cast<std::size_t>(i % kCycle)].View(), target.view());
   }
+  // The rounding of the history keeps it moving within half a code value.
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 24; ++x) {
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(At(out, x, y, c), At(early, x, y, c), 0.25f / 255.0f);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(At(out, x, y, c), At(early, x, y, c), 0.5f / 255.0f);
     }
   }
 }

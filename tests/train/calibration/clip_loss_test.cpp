@@ -134,6 +134,25 @@ TEST_F(ClipLossTest, PlantedParametersAreFoundAgain) {
   EXPECT_NEAR(result.best.parameters.blend_b / planted.blend_b, 1, 0.05);
 }
 
+TEST_F(ClipLossTest, ADenseGridIsNoBetterForTwentyTimesTheRuns) {
+  const auto clip =
+      std::make_shared<const Clip>(SceneClip({.width = 64, .height = 48, .frames = 4}));
+  ClipLoss loss({{clip, Mode("sr")}}, serial_);
+  CalibrationOptions options;
+  options.fitted = {FindParameter("blend_a"), FindParameter("blend_b")};
+  options.random_starts = 0;
+  const CalibrationResult result = Calibrate(options, loss);
+  constexpr int kSide = 40;
+  const SearchSpace space(options.fitted, {});
+  double grid = 1;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const Point point = {i % kSide / (kSide - 1.0), i / kSide / (kSide - 1.0)};
+    grid = std::min(grid, LossOf(Residuals(loss, space.ToParameters(point))));
+  }
+  EXPECT_LE(result.best.loss, grid + 0.0005);
+  EXPECT_LE(result.search_runs, kSide * kSide / 20);
+}
+
 TEST_F(ClipLossTest, AConstantImageNeedsNoParameter) {
   Clip grey = SceneClip({.width = 48, .height = 48, .frames = 3});
   for (ClipFrame& frame : grey.frames) {

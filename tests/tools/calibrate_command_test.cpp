@@ -1,0 +1,166 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "datasets/file.h"
+#include "runtime/parameters.h"
+#include "tests/datasets/temporary_folder.h"
+#include "tests/tools/program.h"
+#include "tests/train/pan_sequence.h"
+#include "train/parameters_file.h"
+
+namespace warplut {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr int kUsage = 1;
+constexpr int kFailed = 2;
+
+class CalibrateCommand : public testing::Test {
+ protected:
+  // One rendered sequence for all tests.
+  static void SetUpTestSuite() {
+    scenes_ = std::make_unique<TemporaryFolder>();
+    const ProgramResult rendered =
+        RunWarplut({"dataset", "render", "street", "--out", *scenes_ / "", "--width", "64",
+                    "--height", "48", "--scale", "2", "--frames", "4"});
+    ASSERT_EQ(rendered.code, 0) << rendered.err;
+  }
+  static void TearDownTestSuite() { scenes_.reset(); }
+
+  std::string Path(const std::string& name) const { return folder_ / name; }
+  static std::string Street() { return *scenes_ / "street"; }
+  std::string Out() const { return Path("params.json"); }
+
+  // A command line; `more` comes last, and an option in it takes the place of one that is there already.
+  std::vector<std::string> Arguments(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"calibrate"};
+    for (const auto& [option, value] : {std::pair{"--sequence", Street()},
+                                        {"--filter", "catmull-rom"},
+                                        {"--starts", "0"},
+                                        {"--fit", "sr_depth_threshold,blend_a"},
+                                        {"--out", Out()}}) {
+      if (std::find(more.begin(), more.end(), option) != more.end()) continue;
+      arguments.insert(arguments.end(), {option, value});
+    }
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  static std::unique_ptr<TemporaryFolder> scenes_;
+  const TemporaryFolder folder_;
+};
+
+std::unique_ptr<TemporaryFolder> CalibrateCommand::scenes_;
+
+TEST_F(CalibrateCommand, WritesParametersThatRunAccepts) {
+  const ProgramResult result = RunWarplut(Arguments());
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("params.json: "));
+  EXPECT_THAT(result.out, HasSubstr("No clip is held out"));
+  EXPECT_FALSE(fs::exists(Out() + ".checkpoint"));
+  const Parameters fitted = ReadParameters(Out());
+  EXPECT_EQ(fitted.blend_b, Parameters{}.blend_b) << "not fitted";
+  const auto calibration = nlohmann::json::parse(ReadFile(Out()))["calibration"];
+  const auto& loss = calibration["loss"]["fitted"];
+  EXPECT_LE(loss["calibrated"].get<double>(), loss["default"].get<double>());
+  EXPECT_LE(loss["calibrated"].get<double>(), loss["paper"].get<double>());
+  EXPECT_EQ(calibration["fitted"].size(), 2U);
+
+  const ProgramResult run = RunWarplut({"run", "--mode", "sr", "--sequence", Street(), "--filter",
+                                        "catmull-rom", "--params", Out(), "--out", Path("shown")});
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
+TEST_F(CalibrateCommand, JudgesByWhatIsHeldOut) {
+  WritePan(folder_ / "pan");
+  const ProgramResult held =
+      RunWarplut(Arguments({"--sequence", Street(), Path("pan"), "--hold-out", "pan", "--json"}));
+  ASSERT_EQ(held.code, 0) << held.err;
+  const auto document = nlohmann::json::parse(held.out);
+  EXPECT_EQ(document["parameters"], Out());
+  EXPECT_TRUE(document["calibration"]["loss"].contains("held_out"));
+  EXPECT_EQ(document["calibration"]["clips"][1]["clip"], "pan");
+  EXPECT_EQ(document["calibration"]["clips"][1]["held_out"], true);
+
+  const ProgramResult split =
+      RunWarplut(Arguments({"--sequence", Path("pan"), "--modes", "isr", "--fit",
+                            "generation_depth_threshold", "--split-frames", "--json"}));
+  ASSERT_EQ(split.code, 0) << split.err;
+  EXPECT_EQ(nlohmann::json::parse(split.out)["calibration"]["clips"].size(), 2U);
+}
+
+TEST_F(CalibrateCommand, GoesOnWithTheSameBytesAfterAnInterruption) {
+  ASSERT_EQ(RunWarplut(Arguments()).code, 0);
+  const std::string out = Path("again/params.json");
+  const ProgramResult stopped = RunWarplut(
+      Arguments({"--out", out}), {.standard_output = {}, .signal_when = out + ".checkpoint"});
+  ExpectRefused(stopped, kFailed, "--resume");
+  EXPECT_FALSE(fs::exists(out));
+  const ProgramResult resumed = RunWarplut(Arguments({"--out", out, "--resume"}));
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_EQ(ReadFile(out), ReadFile(Out()));
+  EXPECT_FALSE(fs::exists(out + ".checkpoint"));
+}
+
+TEST_F(CalibrateCommand, ATimeLimitLeavesTheBestSoFarAndACheckpoint) {
+  const ProgramResult limited = RunWarplut(Arguments({"--max-seconds", "0.01"}));
+  ASSERT_EQ(limited.code, 0) << limited.err;
+  EXPECT_THAT(limited.out, HasSubstr("The time limit ended the search"));
+  EXPECT_TRUE(ReadParameters(Out()).IsValid());
+  EXPECT_TRUE(fs::exists(Out() + ".checkpoint"));
+  ExpectRefused(RunWarplut(Arguments({"--resume", "--seed", "7"})), kFailed, "other options");
+}
+
+TEST_F(CalibrateCommand, TheSameFileForAnyNumberOfThreads) {
+  ASSERT_EQ(RunWarplut(Arguments({"--threads", "1"})).code, 0);
+  ASSERT_EQ(RunWarplut(Arguments({"--threads", "3", "--out", Path("three.json")})).code, 0);
+  EXPECT_EQ(ReadFile(Out()), ReadFile(Path("three.json")));
+}
+
+TEST_F(CalibrateCommand, RefusesWhatMakesNoSense) {
+  ExpectRefused(RunWarplut(Arguments({"--modes", "srr"})), kUsage, "'srr' is not a method");
+  ExpectRefused(RunWarplut(Arguments({"--modes", "sr-paper"})), kUsage,
+                "sr-paper has no parameters to calibrate");
+  ExpectRefused(RunWarplut(Arguments({"--modes", "bicubic"})), kUsage, "bicubic has no parameters");
+  ExpectRefused(RunWarplut(Arguments({"--modes", "sr,sr"})), kUsage, "sr twice");
+  ExpectRefused(RunWarplut(Arguments({"--fit", "blend_c"})), kUsage, "'blend_c'");
+  ExpectRefused(RunWarplut(Arguments({"--fit", "brightness_threshold"})), kUsage,
+                "brightness_threshold, which none of the modes reads");
+  ExpectRefused(RunWarplut(Arguments({"--hold-out", "harbour"})), kUsage, "'harbour'");
+  ExpectRefused(RunWarplut(Arguments({"--hold-out", "street"})), kUsage, "every clip is held out");
+  ExpectRefused(RunWarplut(Arguments({"--hold-out", "street", "--split-frames"})), kUsage, "");
+  ExpectRefused(RunWarplut(Arguments({"--every", "1"})), kUsage, "--every");
+  ExpectRefused(RunWarplut(Arguments({"--max-pixels", "-3"})), kUsage, "--max-pixels");
+  EXPECT_FALSE(fs::exists(Out()));
+}
+
+TEST_F(CalibrateCommand, RefusesWhatCannotBeJudged) {
+  WritePan(folder_ / "blind", {.streams = Streams::kRenderGrid});
+  ExpectRefused(RunWarplut(Arguments({"--sequence", Path("blind")})), kFailed, "'reference'");
+  ExpectRefused(RunWarplut(Arguments({"--sequence", Street(), Street()})), kFailed,
+                "two sequences have the name 'street'");
+  ExpectRefused(RunWarplut(Arguments({"--sequence", Path("nowhere")})), kFailed, "nowhere");
+  ExpectRefused(RunWarplut(Arguments({"--max-frames", "1"})), kFailed, "1 frames");
+  ExpectRefused(RunWarplut(Arguments({"--max-pixels", "50"})), kFailed, "50 pixels");
+  EXPECT_FALSE(fs::exists(Out()));
+}
+
+TEST_F(CalibrateCommand, RefusesAnOutputThatCannotBeWritten) {
+  WriteFile(Path("file"), "");
+  ExpectRefused(RunWarplut(Arguments({"--out", Path("file/params.json")})), kFailed, "file");
+  const ProgramResult full =
+      RunWarplut(Arguments(), {.standard_output = {}, .file_size_limit = 500, .signal_when = {}});
+  ExpectRefused(full, kFailed, "params.json");
+  EXPECT_FALSE(fs::exists(Out()));
+}
+
+}  // namespace
+}  // namespace warplut

@@ -1,0 +1,67 @@
+#!/bin/sh
+# Calibrates on some clips, judges by others, and leaves the table of docs/CALIBRATION.md for tools/update_tables.sh.
+# usage: tools/measure_calibration.sh [--data DIR] OUT
+#   --data DIR   the recorded sequences mobfgsr-sample, stk-lighthouse and stk-scotland
+#                (default: $WARPLUT_DATA; without it only built-in scenes are measured)
+#   OUT          sequences and parameters; the table goes to OUT/tables
+# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
+set -eu
+
+data=${WARPLUT_DATA:-}
+if [ "${1:-}" = --data ] && [ $# -ge 2 ]; then
+  data=$2
+  shift 2
+fi
+if [ $# -ne 1 ]; then
+  echo "usage: tools/measure_calibration.sh [--data DIR] OUT" >&2
+  exit 1
+fi
+mkdir -p "$1"
+out=$(cd "$1" && pwd)
+cd "$(dirname "$0")/.."
+warplut=${WARPLUT:-build/release/tools/warplut}
+lut=luts/baked/warplut_x2.json
+mkdir -p "$out/tables" "$out/params" "$out/scenes"
+table=$out/tables/calibration.md
+
+# judge MODES FITTED HELD_OUT OPTION...: one row, of the mean 1 - SSIM over the held-out clips.
+judge() {
+  modes=$1
+  fitted=$2
+  held=$3
+  shift 3
+  params=$out/params/$fitted-$(echo "$modes" | tr , -).json
+  "$warplut" calibrate --modes "$modes" --lut "$lut" --max-pixels 30000 --max-frames 8 --starts 0 \
+    --hold-out "$held" --out "$params" "$@" > "$params.txt"
+  losses=$(awk '$1 == "held" && $2 == "out" { print $3, $4, $5; exit }' "$params.txt")
+  # shellcheck disable=SC2086 # three numbers
+  set -- $losses
+  worse=$(awk "BEGIN { print $1 <= $3 ? \"no\" : \"**yes**\" }")
+  echo "| $fitted | $(echo "$held" | sed 's/,/, /g') | $modes | $1 | $2 | $3 | $worse |" >> "$table.part"
+}
+
+# rows MODES
+rows() {
+  judge "$1" street+plaza harbour,gallery,colonnade --sequence "$out"/scenes/*/
+  if [ -z "$data" ]; then return; fi
+  # Recorded motion is that of whole objects and asks for the filter.
+  set -- "$1" --motion-filter on --sequence
+  judge "$1" stk-lighthouse stk-scotland "$2" "$3" "$4" "$data/stk-lighthouse" "$data/stk-scotland"
+  judge "$1" stk-scotland stk-lighthouse "$2" "$3" "$4" "$data/stk-lighthouse" "$data/stk-scotland"
+  judge "$1" mobfgsr-sample stk-lighthouse,stk-scotland "$2" "$3" "$4" "$data"/*/
+  judge "$1" stk-lighthouse+stk-scotland mobfgsr-sample "$2" "$3" "$4" "$data"/*/
+}
+
+for scene in street plaza harbour gallery colonnade; do
+  if [ ! -f "$out/scenes/$scene/sequence.json" ]; then
+    "$warplut" dataset render "$scene" --out "$out/scenes" --width 240 --height 136 --scale 2 --frames 6 > /dev/null
+  fi
+done
+{
+  echo '| fitted | held out | modes | calibrated | default | paper | worse than the paper |'
+  echo '|---|---|---|---|---|---|---|'
+} > "$table.part"
+rows sr
+rows sr,i,e
+rows isr
+mv "$table.part" "$table"
