@@ -10,6 +10,8 @@ if(WARPLUT_SANITIZE)
   target_compile_options(warplut_options INTERFACE -fsanitize=${WARPLUT_SANITIZE}
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(warplut_options INTERFACE -fsanitize=${WARPLUT_SANITIZE})
+  # Kernels for fewer instruction sets: they take most of the time to compile.
+  target_compile_definitions(warplut_options INTERFACE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4)")
 endif()
 
 # warplut_library(NAME SOURCES...): a static library with the shared options.

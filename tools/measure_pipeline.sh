@@ -47,8 +47,9 @@ leave_one_out() {
       --starts 0 --out "$params" $options > "$params.txt"
     # shellcheck disable=SC2086
     "$warplut" eval --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" --motion-filter on \
-      --params "$params" --pictures "$out/pictures$(echo "$options" | tr -d ' ')" --markdown $options |
-      grep -v '^.*\.png' >> "$table.part"
+      --params "$params" --pictures "$out/pictures$(echo "$options" | tr -d ' ')" --markdown $options \
+      > "$out/$name.txt"
+    grep -v '\.png: ' "$out/$name.txt" >> "$table.part"
     # shellcheck disable=SC2086
     set -- $options
   done
