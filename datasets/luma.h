@@ -2,11 +2,9 @@
 #pragma once
 
 #include "datasets/image.h"
+#include "luts/luma_weights.h"
 
 namespace warplut {
-
-// Weights of R, G, B. Source: ITU-R BT.709-6, section 3.
-inline constexpr double kLumaWeights[3] = {0.2126, 0.7152, 0.0722};
 
 // 0.2126 R + 0.7152 G + 0.0722 B of the values as stored (no transfer function is undone), as 1
 // channel, computed in double. A 1-channel image is returned as it is; the alpha of a 4-channel one

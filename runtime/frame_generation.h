@@ -10,8 +10,8 @@
 // no motion is a disocclusion and takes it from its surroundings), warp both frames and InterpolationShare (interpolation), or
 // warp frame 1 (extrapolation). docs/GENERATION.md has formulas, buffers, limits and measured quality.
 //
-// Any executor gives the same bits. The generating functions allocate nothing. Buffers take 16 bytes per pixel, with kLinearHdr
-// and with a motion filter 16 more each, and 48 bytes for each pixel of 16 rows and each thread; a motion filter has its own besides.
+// Any executor gives the same bits. The generating functions allocate nothing. Buffers take 16 bytes per pixel (without splatting none),
+// with kLinearHdr and with a motion filter 16 more each, and 48 bytes for each pixel of 16 rows and each thread; a motion filter has its own besides.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +19,15 @@
 #include <memory>
 #include <string>
 
+#include "runtime/choices.h"
 #include "runtime/color_encoding.h"
 #include "runtime/executor.h"
+#include "runtime/frame_tiles.h"
 #include "runtime/gates.h"
 #include "runtime/image_view.h"
+#include "runtime/motion_filter.h"
 #include "runtime/parameters.h"
+#include "runtime/pipeline.h"
 #include "runtime/warp.h"
 
 namespace warplut {
@@ -37,26 +41,24 @@ struct DisplayedFrame {
   bool cut = false;
 };
 
-enum class MotionModel : std::uint8_t { kLinear, kQuadratic };
-enum class DisocclusionFill : std::uint8_t {
-  kOwnMotion,   // frame 1 at the motion that its own pixel there has (Mob-FGSR)
-  kBackground,  // the motion of the farthest of the first splatted pixels in 8 directions
-  kNone,        // frame 1 as it is
-};
-
+// Defaults are those of kPipeline (runtime/pipeline.h) where the build contains one value alone.
 struct FrameGenerationOptions {
   int width = 0, height = 0;
-  MotionModel motion_model = MotionModel::kQuadratic;
-  bool refine = true;
-  DisocclusionFill fill =
-      DisocclusionFill::kOwnMotion;  // of extrapolation; interpolation takes kBackground
-  DepthMeasure depth = DepthMeasure::kRelative;
-  bool brightness_gate = false;  // false: a linear blend wherever depth agrees
-  bool motion_filter = false;    // takes quantisation out of the motion (runtime/motion_filter.h)
-  float motion_filter_limit =
-      2;  // MotionFilterOptions::limit: frames to generate between lie far apart
+  MotionModel motion_model = kPipeline.generation.motion_model.value_or(MotionModel::kQuadratic);
+  // false: a pixel takes the motion that frame 1 has at its place, as where little moves it nearly does; `refine` and `fill` then have
+  // nothing to do.
+  bool splat = kPipeline.generation.splat.value_or(true);
+  bool refine = kPipeline.generation.refine.value_or(true);
+  // Of extrapolation; interpolation takes kBackground.
+  DisocclusionFill fill = kPipeline.generation.fill.value_or(DisocclusionFill::kOwnMotion);
+  DepthMeasure depth = kPipeline.generation.depth.value_or(DepthMeasure::kRelative);
+  // false: a linear blend wherever depth agrees.
+  bool brightness_gate = kPipeline.generation.brightness_gate.value_or(false);
+  // Takes quantisation out of the motion (runtime/motion_filter.h).
+  bool motion_filter = kPipeline.generation.motion_filter.value_or(false);
+  float motion_filter_limit = kGenerationMotionFilterLimit;  // MotionFilterOptions::limit
   WarpOptions warp;
-  ColorEncoding encoding = ColorEncoding::kDisplay;
+  ColorEncoding encoding = kPipeline.generation.encoding.value_or(ColorEncoding::kDisplay);
   Parameters parameters;
   float gate_width = 0;    // as in SuperResolutionOptions
   bool reference = false;  // run the plain version of every pass
@@ -88,7 +90,11 @@ class FrameGeneration {
   // New parameters and gate width from the next call on; both valid.
   void SetParameters(const Parameters& parameters, float gate_width = 0);
 
-  // Bytes of all buffers.
+  // Of the last frame; all 0 where a source was shown as it is. Tiles are disoccluded where at some pixels nothing arrived, or what did
+  // was replaced. With options.reference the warps are not counted.
+  FrameTiles Tiles() const;
+
+  // Bytes of all buffers; those that the options have no use for are not there.
   std::size_t MemoryBytes() const;
 
  private:

@@ -10,15 +10,14 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "runtime/band.h"
 #include "runtime/gates.h"
 #include "runtime/motion_filter_pass.h"
+#include "runtime/warp_simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace warplut {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using FloatTag = hn::CappedTag<float, 16>;
 
 // The vectors of pixels [x, x + Lanes); see camera_motion.h for the formula.
 HWY_INLINE void FilterVector(const MotionFilterPass& pass, float v, int x, const float* depth,
@@ -27,15 +26,15 @@ HWY_INLINE void FilterVector(const MotionFilterPass& pass, float v, int x, const
   const auto& c = pass.c;
   const auto set = [&](float value) HWY_ATTR { return hn::Set(d, value); };
   const auto z = hn::LoadU(d, depth);
-  hn::Vec<FloatTag> mx, my;
+  Floats mx, my;
   hn::LoadInterleaved2(d, motion, mx, my);
 
   const auto known = hn::And(hn::Ge(z, hn::Zero(d)), hn::Lt(z, set(kFarthestDepth)));
   const auto g = hn::IfThenElseZero(known, hn::Div(set(1), hn::Max(z, set(kLeastDepth))));
-  const auto u = hn::MulAdd(hn::Iota(d, static_cast<float>(x)), set(pass.unit), set(pass.first_u));
+  const auto u = hn::MulAdd(PixelNumbers(x), set(pass.unit), set(pass.first_u));
   const auto h = hn::MulAdd(set(c[8]), u, hn::MulAdd(set(c[10]), g, set(c[9] * v)));
   const auto scale = hn::Div(set(1 / pass.unit), hn::Add(h, set(1)));
-  const auto camera = [&](int first, hn::Vec<FloatTag> position) HWY_ATTR {
+  const auto camera = [&](int first, Floats position) HWY_ATTR {
     auto sum = hn::MulAdd(set(c[first + 3]), g, set(c[first + 1] * v + c[first + 2]));
     sum = hn::MulAdd(set(c[first]), u, sum);
     return hn::Mul(hn::MulAdd(position, h, sum), scale);
@@ -48,15 +47,13 @@ HWY_INLINE void FilterVector(const MotionFilterPass& pass, float v, int x, const
 }
 
 void FilterRow(const MotionFilterPass& pass, int y) {
-  constexpr int kLanes = static_cast<int>(hn::MaxLanes(FloatTag()));
-  const int lanes = static_cast<int>(hn::Lanes(FloatTag()));
   const int width = pass.motion.width;
   const float v = (static_cast<float>(y) * pass.unit) + pass.first_v;
   const float* depth = pass.depth.Row<float>(y);
   const float* motion = pass.motion.Row(y);
   float* out = pass.out.Row(y);
   int x = 0;
-  for (; x + lanes <= width; x += lanes) {
+  for (; x + kLanes <= width; x += kLanes) {
     FilterVector(pass, v, x, depth + x, motion + 2 * x, out + 2 * x);
   }
   if (x >= width) return;
@@ -78,8 +75,6 @@ namespace warplut {
 HWY_EXPORT(FilterRow);
 
 namespace {
-
-constexpr int kBandRows = 16;
 
 float Limit(const MotionFilterOptions& options, double noise) {
   return static_cast<float>(std::min<double>(options.limit, kNoiseToLimit * noise));
@@ -112,7 +107,7 @@ void MotionFilter::Apply(const ImageView& depth, const MotionView& motion, Execu
   pass.first_v = static_cast<float>((1.0 - height) / motion.width);
   pass.limit_x = Limit(options_, camera.noise_x);
   pass.limit_y = Limit(options_, camera.noise_y);
-  executor.ForEach((height + kBandRows - 1) / kBandRows, [&](int band) {
+  executor.ForEach(TileCount(height, kBandRows), [&](int band) {
     const int end = std::min(height, (band + 1) * kBandRows);
     for (int y = band * kBandRows; y < end; ++y) HWY_DYNAMIC_DISPATCH(FilterRow)(pass, y);
   });

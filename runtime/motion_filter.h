@@ -16,8 +16,13 @@
 
 namespace warplut {
 
+// Safeguards above the bound by the noise, which decides wherever it is less: for super resolution, and for frames that others are
+// generated between, which move farther (2 did better than 1 there: docs/GENERATION.md).
+inline constexpr float kMotionFilterLimit = 4;
+inline constexpr float kGenerationMotionFilterLimit = 2;
+
 struct MotionFilterOptions {
-  float limit = 4;  // the largest change of a component, pixels; in (0, 16]
+  float limit = kMotionFilterLimit;  // the largest change of a component, pixels; in (0, 16]
 
   // Otherwise *why (if not null) names the option and its range.
   bool IsValid(std::string* why = nullptr) const;

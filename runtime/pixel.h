@@ -15,6 +15,11 @@ inline std::uint8_t RoundToCode(float value) {
   return value > 0 ? static_cast<std::uint8_t>(std::min(std::floor(value + 0.5f), 255.0f)) : 0;
 }
 
+// What the codes or values of a format's channels are divided by to lie in [0, 1].
+constexpr float ChannelScale(PixelFormat format) {
+  return format == PixelFormat::kRgba8 ? 255.0f : 1.0f;
+}
+
 // Channel c of a pixel; 8-bit codes as 0..255.
 inline float LoadChannel(PixelFormat format, const void* pixel, int c) {
   switch (format) {

@@ -14,6 +14,7 @@
 //                 at their own positions, by Catmull-Rom); share = BlendShare(a, SampleWeight(b, distance of the nearest
 //                 sample)). In both the share is multiplied by the validity of the history.
 //   Without history (first frame, cut, options.history false) step 2 finds nothing valid.
+//   With MotionUpsampling::kStatic steps 1 and 2 are left out: q^w is the history at P and valid; neither motion nor depth is read.
 // q is limited to [0, 1] before it is stored (linear HDR: of the tone-mapped value).
 //
 // A sample (i, j) of the render grid lies at output position ((i + 1/2 + jitter_x) s_x, (j + 1/2 + jitter_y) s_y).
@@ -24,11 +25,14 @@
 #include <memory>
 #include <string>
 
+#include "runtime/choices.h"
 #include "runtime/color_encoding.h"
 #include "runtime/executor.h"
+#include "runtime/frame_tiles.h"
 #include "runtime/gates.h"
 #include "runtime/image_view.h"
 #include "runtime/parameters.h"
+#include "runtime/pipeline.h"
 #include "runtime/warp.h"
 
 namespace warplut {
@@ -36,7 +40,8 @@ namespace warplut {
 // One rendered frame; all views on the render grid. Colour: RGBA8, RGBA16F or RGBA32F (alpha is ignored). Depth: R32F, view
 // depth in units of the far plane, >= 0; NaN, negative and infinite values count as kFarthestDepth. Motion: pixels of the
 // render grid, from the frame before to this one, without jitter; where a component is NaN or infinite there is no history.
-// A NaN or infinite colour channel counts as 0, in kDisplay what lies outside [0, 1] is limited to it.
+// A NaN or infinite colour channel counts as 0, in kDisplay what lies outside [0, 1] is limited to it. With
+// MotionUpsampling::kStatic depth and motion may be without data.
 struct RenderedFrame {
   ImageView color;
   ImageView depth;
@@ -46,27 +51,22 @@ struct RenderedFrame {
   bool cut = false;  // shares nothing with the frame before
 };
 
-enum class HistoryForm : std::uint8_t { kSample, kResidual };
-enum class ColorClamp : std::uint8_t { kNone, kBox, kVariance };
-enum class MotionUpsampling : std::uint8_t { kNearest, kDilated, kEdgeAware };
-enum class CurrentFrame : std::uint8_t {
-  kBilinear,
-  kBicubic
-};  // how the current frame alone is interpolated
-
+// Defaults are those of kPipeline (runtime/pipeline.h) where the build contains one value alone.
 struct SuperResolutionOptions {
   int render_width = 0, render_height = 0;
   int output_width = 0, output_height = 0;  // 1 to 4 times render, in each axis
-  HistoryForm form = HistoryForm::kResidual;
-  bool history = true;  // false: every frame from itself alone
-  ColorClamp clamp = ColorClamp::kVariance;
-  DepthMeasure depth = DepthMeasure::kRelative;
-  MotionUpsampling motion = MotionUpsampling::kEdgeAware;
-  bool motion_filter = false;  // takes quantisation out of the motion (runtime/motion_filter.h)
-  CurrentFrame current = CurrentFrame::kBilinear;
-  WarpOptions warp;                                    // the filter of the history
-  PixelFormat history_format = PixelFormat::kRgba16F;  // RGBA8, RGBA16F or RGBA32F
-  ColorEncoding encoding = ColorEncoding::kDisplay;
+  HistoryForm form = kPipeline.sr.form.value_or(HistoryForm::kResidual);
+  bool history = kPipeline.sr.history.value_or(true);  // false: every frame from itself alone
+  ColorClamp clamp = kPipeline.sr.clamp.value_or(ColorClamp::kVariance);
+  DepthMeasure depth = kPipeline.sr.depth.value_or(DepthMeasure::kRelative);
+  MotionUpsampling motion = kPipeline.sr.motion.value_or(MotionUpsampling::kEdgeAware);
+  // Takes quantisation out of the motion (runtime/motion_filter.h).
+  bool motion_filter = kPipeline.sr.motion_filter.value_or(false);
+  CurrentFrame current = kPipeline.sr.current.value_or(CurrentFrame::kBilinear);
+  WarpOptions warp;  // the filter of the history
+  // RGBA8, RGBA16F or RGBA32F.
+  PixelFormat history_format = kPipeline.sr.history_format.value_or(PixelFormat::kRgba16F);
+  ColorEncoding encoding = kPipeline.sr.encoding.value_or(ColorEncoding::kDisplay);
   Parameters parameters;
   float gate_width = 0;    // of every gate, relative to its threshold, in [0, 1]; 0 is what ships
   bool reference = false;  // run the plain version of every pass
@@ -93,8 +93,8 @@ class SuperResolution {
   bool IsProcessable(const RenderedFrame& frame, const MutableImageView& out,
                      std::string* why) const;
 
-  // Depth and motion of the last frame, upsampled as step 1 does; motion is NaN where there is none. Computed on the first call
-  // after Process, whose buffers are allocated by the first call of all.
+  // Depth and motion of the last frame, upsampled as step 1 does (kStatic: kFarthestDepth and 0); motion is NaN where there is none.
+  // Computed on the first call after Process, whose buffers are allocated by the first call of all.
   OutputGeometry Geometry();
 
   // Forgets the history: the next frame is treated as a cut.
@@ -102,7 +102,10 @@ class SuperResolution {
   // New parameters and gate width from the next frame on; both valid.
   void SetParameters(const Parameters& parameters, float gate_width = 0);
 
-  // Bytes of all buffers.
+  // Of the last frame. Tiles are disoccluded where some of their history is not valid.
+  FrameTiles Tiles() const;
+
+  // Bytes of all buffers; those that the options have no use for are not there.
   std::size_t MemoryBytes() const;
 
  private:

@@ -4,20 +4,20 @@
 #include <array>
 
 #include "luts/filters.h"
-#include "runtime/warp.h"
+#include "runtime/filter.h"
 
 namespace warplut {
 
-// The four weights of one axis of a closed-form filter (not Filter::kLut).
+// The four weights of one axis of a closed-form filter (not Filter::kLut); keys_a is that of Filter::kKeys.
 template <class T>
-constexpr std::array<T, kTaps> FilterTaps(const WarpOptions& options, T d) {
-  switch (options.filter) {
+constexpr std::array<T, kTaps> FilterTaps(Filter filter, float keys_a, T d) {
+  switch (filter) {
     case Filter::kBilinear:
       return BilinearTaps(d);
     case Filter::kCatmullRom:
       return KeysTaps(T(kCatmullRomA), d);
     case Filter::kKeys:
-      return KeysTaps(T(options.keys_a), d);
+      return KeysTaps(T(keys_a), d);
     case Filter::kLut:
       break;
   }
@@ -29,11 +29,11 @@ struct TapPolynomials {
   std::array<std::array<float, 4>, kTaps> coefficients{};
 
   // The closed forms are cubic in d, so their values at d = -1, 0, 1, 2 determine them.
-  explicit TapPolynomials(const WarpOptions& options) {
-    const auto at_minus_1 = FilterTaps(options, -1.0);
-    const auto at_0 = FilterTaps(options, 0.0);
-    const auto at_1 = FilterTaps(options, 1.0);
-    const auto at_2 = FilterTaps(options, 2.0);
+  explicit TapPolynomials(Filter filter, float keys_a = static_cast<float>(kCatmullRomA)) {
+    const auto at_minus_1 = FilterTaps(filter, keys_a, -1.0);
+    const auto at_0 = FilterTaps(filter, keys_a, 0.0);
+    const auto at_1 = FilterTaps(filter, keys_a, 1.0);
+    const auto at_2 = FilterTaps(filter, keys_a, 2.0);
     for (int t = 0; t < kTaps; ++t) {
       const double c3 = (at_2[t] - at_minus_1[t] + 3 * (at_0[t] - at_1[t])) / 6;
       const double c2 = (at_1[t] + at_minus_1[t]) / 2 - at_0[t];

@@ -93,6 +93,10 @@ bool WarpOptions::IsValid(const char** why) const {
     return Refuse("keys_a is outside of [-1, 0]", why);
   }
   if (info.needs_table && table == nullptr) return Refuse("the lut filter has no table", why);
+  if (!Contains(kPipeline.filter, filter)) return Refuse("this build contains another filter", why);
+  if (info.needs_table && !Contains(kPipeline.lookup, lookup)) {
+    return Refuse("this build contains another lookup", why);
+  }
   return true;
 }
 
@@ -116,6 +120,9 @@ bool IsWarpable(const ImageView& history, const MotionView& motion, const Mutabl
   if (out.format != history.format) return Refuse("output and history differ in format", why);
   const std::ptrdiff_t row = std::ptrdiff_t{width} * BytesPerPixel(history.format);
   const std::ptrdiff_t channel = BytesPerPixel(history.format) / Channels(history.format);
+  if (!Contains(kWarpedFormat, history.format)) {
+    return Refuse("this build warps images of another format", why);
+  }
   if (history.stride < row || out.stride < row) {
     return Refuse("the stride of history or output is less than a row", why);
   }

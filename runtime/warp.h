@@ -16,6 +16,7 @@
 #include "runtime/filter.h"
 #include "runtime/image_view.h"
 #include "runtime/motion_tiles.h"
+#include "runtime/pipeline.h"
 #include "runtime/table.h"
 
 namespace warplut {
@@ -31,10 +32,10 @@ inline constexpr float kWarpFloatBound = 0x1p-20f;
 inline constexpr int kLargestSize = 1 << 20;
 
 struct WarpOptions {
-  Filter filter = Filter::kCatmullRom;
+  Filter filter = kPipeline.filter.value_or(Filter::kCatmullRom);
   float keys_a = static_cast<float>(kCatmullRomA);  // Filter::kKeys: in [-1, 0]
   const Table* table = nullptr;                     // Filter::kLut: not null, outlives the call
-  Lookup lookup = Lookup::kBilinear;
+  Lookup lookup = kPipeline.lookup.value_or(Lookup::kBilinear);
   bool general_only = false;  // do not use what tiles have in common; for tests and benchmarks
 
   // Whether the options can be used; otherwise *why (if not null) says why not.
@@ -57,6 +58,10 @@ struct WarpStats {
   std::int64_t tiles[kMotionKinds] = {};
 
   std::int64_t operator[](MotionKind kind) const { return tiles[static_cast<int>(kind)]; }
+  WarpStats& operator+=(const WarpStats& other) {
+    for (int kind = 0; kind < kMotionKinds; ++kind) tiles[kind] += other.tiles[kind];
+    return *this;
+  }
 };
 
 // The same, fast: tiles of whole-pixel motion are copied, tiles of uniform motion share their

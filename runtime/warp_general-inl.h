@@ -207,11 +207,15 @@ HWY_INLINE void PrefetchNext(const WarpJob& job, int x, int y, const PixelRow& r
   PrefetchBytes(static_cast<const std::byte*>(job.out.At(x, y)) + bytes, bytes);
 }
 
-inline void General(const WarpJob& job, const TileRect& pixels) {
-  const TapPolynomials taps(job.options);
+inline void General(const WarpJob& any_format, const TileRect& pixels) {
+  const ImageView history = InFormat(kWarpedFormat, any_format.history);
+  const MutableImageView out = InFormat(kWarpedFormat, any_format.out);
+  const WarpJob job{history, any_format.motion, any_format.options, out};
+  const Filter filter = FilterOf(job.options);
+  const bool lut = filter == Filter::kLut;
+  const bool nearest = lut && LookupOf(job.options) == Lookup::kNearest;
+  const TapPolynomials taps(filter, job.options.keys_a);
   const Table* table = job.options.table;
-  const bool lut = job.options.filter == Filter::kLut;
-  const bool nearest = lut && job.options.lookup == Lookup::kNearest;
   PixelRow r;
   for (int y = pixels.y0; y < pixels.y1; ++y) {
     for (int x = pixels.x0; x < pixels.x1; x += kRowPixels) {

@@ -6,6 +6,14 @@
 
 namespace warplut {
 
+// What the options come to in this build (runtime/pipeline.h).
+constexpr Filter FilterOf(const WarpOptions& options) {
+  return Choose(kPipeline.filter, options.filter);
+}
+constexpr Lookup LookupOf(const WarpOptions& options) {
+  return Choose(kPipeline.lookup, options.lookup);
+}
+
 struct WarpJob {
   const ImageView& history;
   const MotionView& motion;

@@ -69,8 +69,9 @@ void WarpReference(const ImageView& history, const MotionView& motion, const War
 }
 
 Weights<float> FilterWeights(const WarpOptions& options, float dx, float dy) {
-  if (options.filter == Filter::kLut) return options.table->At(dx, dy, options.lookup);
-  return Separable(FilterTaps(options, dx), FilterTaps(options, dy));
+  const Filter filter = FilterOf(options);
+  if (filter == Filter::kLut) return options.table->At(dx, dy, LookupOf(options));
+  return Separable(FilterTaps(filter, options.keys_a, dx), FilterTaps(filter, options.keys_a, dy));
 }
 
 }  // namespace warplut

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "luts/contract.h"
 #include "runtime/motion_tiles.h"
 #include "runtime/pixel.h"
 
@@ -31,6 +32,16 @@ using FloatTag = hn::CappedTag<float, kWeights>;
 #endif
 using IntTag = hn::RebindToSigned<FloatTag>;
 inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(FloatTag()));
+using Floats = hn::Vec<FloatTag>;
+using Ints = hn::Vec<IntTag>;
+
+// first, first + 1, ...; hn::Iota fills its lanes one by one unless `first` is a constant.
+HWY_INLINE Ints Numbers(int first) {
+  const IntTag d;
+  return hn::Add(hn::Set(d, first), hn::Iota(d, 0));
+}
+// The same as floats, for numbers up to 2^24.
+HWY_INLINE Floats PixelNumbers(int first) { return hn::ConvertTo(FloatTag(), Numbers(first)); }
 
 // Highway emulates half conversion where it is missing, but does not round to nearest there.
 #if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_EMU128 || \

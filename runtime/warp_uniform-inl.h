@@ -168,11 +168,13 @@ HWY_INLINE void ConvertedStrip(const WarpJob& job, const TileRect& strip, int x0
   }
 }
 
-inline void Uniform(const WarpJob& job, const TileRect& pixels, float mx, float my) {
+inline void Uniform(const WarpJob& any_format, const TileRect& pixels, float mx, float my) {
   const MotionSplit split_x = SplitMotion(mx);
   const MotionSplit split_y = SplitMotion(my);
+  const ImageView history = InFormat(kWarpedFormat, any_format.history);
+  const MutableImageView out = InFormat(kWarpedFormat, any_format.out);
+  const WarpJob job{history, any_format.motion, any_format.options, out};
   const Weights<float> weights = FilterWeights(job.options, split_x.offset, split_y.offset);
-  const ImageView& history = job.history;
   // Far outside, only border texels are read: any window there is the same.
   const auto first_x = [&](int x) {
     return std::clamp(x + split_x.whole, -2 * kStripWidth, history.width + kStripWidth);

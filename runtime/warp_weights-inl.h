@@ -72,7 +72,7 @@ HWY_INLINE void SplitRow(const WarpJob& job, int x0, int y, PixelRow& r) {
     hn::Vec<FloatTag> mx, my, offset_x, offset_y;
     hn::Vec<IntTag> tx, ty;
     hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
-    SplitAxis(mx, hn::Iota(di, x0 + i), width, tx, offset_x);
+    SplitAxis(mx, Numbers(x0 + i), width, tx, offset_x);
     SplitAxis(my, hn::Set(di, y), height, ty, offset_y);
     hn::Store(tx, di, r.texel_x + i);
     hn::Store(ty, di, r.texel_y + i);
@@ -123,7 +123,7 @@ HWY_INLINE void BlendNodes(const Table& table, PixelRow& r) {
     hn::Store(hn::Mul(fx, gy), d, share[1] + i);
     hn::Store(hn::Mul(gx, fy), d, share[2] + i);
     hn::Store(hn::Mul(fx, fy), d, share[3] + i);
-    hn::Store(hn::Iota(di, i), di, r.row + i);
+    hn::Store(Numbers(i), di, r.row + i);
   }
   for (int p = 0; p < r.padded; ++p) {
     const float* upper = table.data() + corner[p] * kWeights;
@@ -163,7 +163,7 @@ HWY_INLINE void ComputeWeights(const TapPolynomials& taps, PixelRow& r) {
   for (int i = 0; i < r.padded; i += kLanes) {
     TapsAt(taps, r.offset_x + i, x_taps + i * kTaps);
     TapsAt(taps, r.offset_y + i, y_taps + i * kTaps);
-    hn::Store(hn::Iota(di, i), di, r.row + i);
+    hn::Store(Numbers(i), di, r.row + i);
   }
   for (int p = 0; p < r.padded; ++p) {
     const auto x = hn::Load(d4, x_taps + p * kTaps);

@@ -38,14 +38,18 @@ void AddBakeCommand(CLI::App& app, CommandRun* run);
 void AddEvalCommand(CLI::App& app, CommandRun* run);
 void AddCalibrateCommand(CLI::App& app, CommandRun* run);
 void AddCrossCommand(CLI::App& app, CommandRun* run);
+void AddProfileCommand(CLI::App& app, CommandRun* run);
+void AddReportCommand(CLI::App& app, CommandRun* run);
 void AddRunCommand(CLI::App& app, CommandRun* run);
+void AddStabilityCommand(CLI::App& app, CommandRun* run);
 void AddCompareCommand(CLI::App& app, CommandRun* run);
 void AddBenchCommand(CLI::App& app, CommandRun* run);
 
 // The subcommands in the order of the data flow.
 inline constexpr CommandAdder kCommands[] = {
-    AddDatasetCommand,   AddTrainCommand, AddBakeCommand,    AddEvalCommand, AddCrossCommand,
-    AddCalibrateCommand, AddRunCommand,   AddCompareCommand, AddBenchCommand};
+    AddDatasetCommand, AddTrainCommand,     AddBakeCommand,    AddEvalCommand,
+    AddCrossCommand,   AddCalibrateCommand, AddProfileCommand, AddRunCommand,
+    AddCompareCommand, AddBenchCommand,     AddReportCommand,  AddStabilityCommand};
 
 // Adds the option `--json` that every command has.
 void AddJsonOption(CLI::App& command, bool* json);
@@ -55,6 +59,18 @@ void Print(std::string_view text);
 
 // Writes a JSON document and a newline to standard output.
 void PrintJson(const Json& document);
+
+// check(), whose Errors mean that the command line is wrong.
+template <class Check>
+auto AsUsage(const Check& check) {
+  try {
+    return check();
+  } catch (const UsageError&) {
+    throw;
+  } catch (const Error& wrong) {
+    throw UsageError(wrong.what());
+  }
+}
 
 // Throws UsageError unless `valid`; `why` is the sentence.
 void RequireUsage(bool valid, const std::string& why);

@@ -1,12 +1,10 @@
 // warplut calibrate: the parameters that fit a person's clips.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <set>
 
 #include "datasets/file.h"
@@ -15,6 +13,7 @@
 #include "tools/interrupt.h"
 #include "tools/pipeline_options.h"
 #include "tools/progress.h"
+#include "tools/thread_limit.h"
 #include "train/calibration/clip_crop.h"
 #include "train/calibration/clip_loss.h"
 #include "train/parameters_file.h"
@@ -215,21 +214,12 @@ CalibrationOptions OptionsOf(const CalibrateArguments& arguments,
 
 ExitCode RunCalibrate(CalibrateArguments arguments) {
   if (!arguments.generated_given) arguments.pipeline.generated = std::max(1, arguments.every - 1);
-  std::vector<const MethodInfo*> methods;
-  try {
-    methods = MethodsOf(arguments.modes);
+  const std::vector<const MethodInfo*> methods = AsUsage([&] {
     CheckArguments(arguments.pipeline);
-  } catch (const UsageError&) {
-    throw;
-  } catch (const Error& wrong) {
-    throw UsageError(wrong.what());
-  }
+    return MethodsOf(arguments.modes);
+  });
   CalibrationOptions options = OptionsOf(arguments, methods);
-  std::optional<tbb::global_control> limit;
-  if (arguments.pipeline.threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(arguments.pipeline.threads));
-  }
+  const ThreadLimit limit(arguments.pipeline.threads);
   const std::filesystem::path out = arguments.out;
   if (out.has_parent_path()) CreateFolder(out.parent_path());
 
@@ -281,8 +271,6 @@ void AddCalibrateCommand(CLI::App& app, CommandRun* run) {
       "calibrate", "Fit the parameters of the pipeline to clips: writes PARAMS.json");
   command->add_option("--sequence", a.sequences, "Sequences with references: clips to fit")
       ->required();
-  command->add_option("--lut", a.pipeline.lut,
-                      "A fit, a baked table (.json), or an .exr in the released layout");
   command->add_option("--modes", a.modes, "What the parameters must be good for, all alike")
       ->delimiter(',')
       ->capture_default_str();
@@ -303,8 +291,6 @@ void AddCalibrateCommand(CLI::App& app, CommandRun* run) {
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command->add_option("--seed", a.seed, "Of the random starts")->capture_default_str();
-  command->add_option("--threads", a.pipeline.threads, "Threads (default: all)")
-      ->check(CLI::Range(0, 1024));
   command->add_option("--max-seconds", a.max_seconds, "Time limit of the search (default: none)")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--every", a.every, "Modes that generate: one frame in so many is rendered")
@@ -319,10 +305,9 @@ void AddCalibrateCommand(CLI::App& app, CommandRun* run) {
       ->add_option("--max-frames", a.max_frames,
                    "Fit the first frames of each clip, at most so many (default: all)")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command->add_option("--lookup", a.pipeline.lookup, "In the table (default: bilinear)")
-      ->check(CLI::IsMember({Name(Lookup::kNearest), Name(Lookup::kBilinear)}));
   command->add_flag("--resume", a.resume,
                     "Go on from the checkpoint of an interrupted calibration");
+  AddTableOptions(*command, &a.pipeline);
   AddPipelineOptions(*command, &a.pipeline);
   AddJsonOption(*command, &a.json);
   command->callback([arguments, run, command] {

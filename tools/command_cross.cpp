@@ -1,10 +1,8 @@
 // warplut cross: LUTs in the loop of super resolution, at upscale factors that they were trained for and at others.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 
 #include "luts/filters.h"
 #include "luts/table_io.h"
@@ -14,6 +12,7 @@
 #include "tools/progress.h"
 #include "tools/sr_cross.h"
 #include "tools/table_text.h"
+#include "tools/thread_limit.h"
 #include "train/keys_search.h"
 #include "train/trainer.h"
 
@@ -98,11 +97,7 @@ ExitCode RunCross(CrossArguments arguments) {
     std::string why;
     RequireUsage(options.IsValid(&why), why);
   }
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(options.threads));
-  }
+  const ThreadLimit limit(options.threads);
   const std::vector<CrossFilter> filters = LoadFilters(arguments.luts);
   const std::vector<Image> luma =
       CheckedLuma(LoadImages({arguments.images.begin(), arguments.images.end()}));

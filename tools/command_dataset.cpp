@@ -24,14 +24,9 @@ struct RenderArguments {
 
 ExitCode RunRender(RenderArguments arguments) {
   RenderOptions& options = arguments.options;
-  Streams streams = Streams::kNone;
-  std::vector<std::string> scenes;
-  try {
-    streams = ParseStreams(arguments.streams);
-    scenes = SelectScenes(arguments.selection);
-  } catch (const Error& wrong) {
-    throw UsageError(wrong.what());
-  }
+  const Streams streams = AsUsage([&] { return ParseStreams(arguments.streams); });
+  const std::vector<std::string> scenes =
+      AsUsage([&] { return SelectScenes(arguments.selection); });
   RequireUsage(Contains(streams, Streams::kColor),
                "the streams to render lack color, which every sequence has.");
   options.reference = (streams & Streams::kOutputGrid) != Streams::kNone;

@@ -1,11 +1,9 @@
 // warplut eval: a LUT against other filters, under protocols of repeated warps; or methods on sequences.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "datasets/file.h"
 #include "datasets/image_io.h"
@@ -19,6 +17,7 @@
 #include "tools/progress.h"
 #include "tools/protocol_filter.h"
 #include "tools/table_format.h"
+#include "tools/thread_limit.h"
 #include "tools/warp_picture.h"
 
 namespace warplut {
@@ -31,23 +30,16 @@ constexpr std::size_t kPictures = 4;
 constexpr int kPictureWarps = 24;
 
 struct EvalArguments {
-  std::string lut;
   std::vector<std::string> images;
   std::vector<int> warps = {6, 12, 24, 64};
   std::vector<std::string> offsets = {Name(Offsets::kHalf), Name(Offsets::kRandom),
                                       Name(Offsets::kPan)};
   std::vector<std::string> against = {"bilinear", "catmull-rom", "keys:-0.58", kBestKeys};
-  std::string lookup = Name(Lookup::kBilinear);
   std::string format = Name(TableFormat::kI16);
   int trajectories = 3;
   int crop = 448;
   std::uint64_t seed = 1;
-  int threads = 0;
-  std::vector<std::string> targets;
-  std::string pictures;
-  bool markdown = false;
-  bool json = false;
-  SequenceEvalArguments sequence;  // what only sequences have
+  SequenceEvalArguments sequence;  // all that sequences take, and what images share with them
 };
 
 std::vector<Protocol> Protocols(const EvalArguments& arguments) {
@@ -106,7 +98,7 @@ void Score(const EvalArguments& arguments, const std::vector<Image>& images,
 
 void WritePictures(const EvalArguments& arguments, const std::vector<TrainImage>& images,
                    const ProtocolFilter& lut) {
-  const fs::path folder = arguments.pictures;
+  const fs::path folder = arguments.sequence.pictures;
   CreateFolder(folder);
   const ProtocolFilter filters[] = {NamedFilter("catmull-rom"), lut};
   const std::size_t count = std::min(kPictures, images.size());
@@ -127,14 +119,15 @@ void WritePictures(const EvalArguments& arguments, const std::vector<TrainImage>
 void CheckImageArguments(const EvalArguments& arguments) {
   RequireUsage(!arguments.images.empty(),
                "there is nothing to judge; expected --images or --sequence");
-  RequireUsage(!arguments.lut.empty(), "--lut is required to judge a LUT on images");
+  RequireUsage(!arguments.sequence.pipeline.lut.empty(),
+               "--lut is required to judge a LUT on images");
   RequireUsage(
       arguments.crop == 0 || arguments.crop >= kProtocolMinSide,
       fmt::format("--crop is {}; expected 0 or at least {}.", arguments.crop, kProtocolMinSide));
   for (const std::string& name : arguments.against) {
     if (name != kBestKeys) NamedFilter(name);
   }
-  for (const std::string& target : arguments.targets) {
+  for (const std::string& target : arguments.sequence.targets) {
     const std::string against = ParseScoreTarget(target).against;
     RequireUsage(std::find(arguments.against.begin(), arguments.against.end(), against) !=
                      arguments.against.end(),
@@ -142,36 +135,19 @@ void CheckImageArguments(const EvalArguments& arguments) {
   }
 }
 
-// The arguments that images and sequences share, as those of sequences.
-SequenceEvalArguments SequencePart(const EvalArguments& arguments) {
-  SequenceEvalArguments part = arguments.sequence;
-  part.pipeline.lut = arguments.lut;
-  part.pipeline.lookup = arguments.lookup;
-  part.pipeline.threads = arguments.threads;
-  part.targets = arguments.targets;
-  part.pictures = arguments.pictures;
-  part.markdown = arguments.markdown;
-  part.json = arguments.json;
-  return part;
-}
-
 ExitCode RunImageEval(const EvalArguments& arguments) {
-  try {
-    CheckImageArguments(arguments);
-  } catch (const Error& wrong) {
-    throw UsageError(wrong.what());
-  }
+  AsUsage([&] { CheckImageArguments(arguments); });
   EvalReport report;
-  report.lut = arguments.lut;
-  report.lookup = arguments.lookup;
+  report.lut = arguments.sequence.pipeline.lut;
+  report.lookup = Name(LookupOf(arguments.sequence.pipeline));
   report.crop = arguments.crop;
   report.protocols = Protocols(arguments);
 
-  const LoadedTable loaded = LoadTable(arguments.lut, TableFormatOf(arguments.format));
+  const LoadedTable loaded =
+      LoadTable(arguments.sequence.pipeline.lut, TableFormatOf(arguments.format));
   report.name = loaded.name;
   const Table table(loaded.table.view());
-  const Lookup lookup =
-      arguments.lookup == Name(Lookup::kNearest) ? Lookup::kNearest : Lookup::kBilinear;
+  const Lookup lookup = LookupOf(arguments.sequence.pipeline);
   const ProtocolFilter lut =
       RuntimeFilter(loaded.name, {.filter = Filter::kLut, .table = &table, .lookup = lookup});
 
@@ -179,16 +155,16 @@ ExitCode RunImageEval(const EvalArguments& arguments) {
       LoadImages({arguments.images.begin(), arguments.images.end()});
   report.images = images.size();
   Score(arguments, LumaCrops(images, arguments.crop), lut, report);
-  for (const std::string& text : arguments.targets) {
+  for (const std::string& text : arguments.sequence.targets) {
     const auto missed =
         MissedProtocols(ParseScoreTarget(text), report.judged, report.others, report.protocols);
     report.missed.insert(report.missed.end(), missed.begin(), missed.end());
   }
-  if (!arguments.pictures.empty()) WritePictures(arguments, images, lut);
+  if (!arguments.sequence.pictures.empty()) WritePictures(arguments, images, lut);
 
-  if (arguments.json) {
+  if (arguments.sequence.json) {
     PrintJson(ToJson(report));
-  } else if (arguments.markdown) {
+  } else if (arguments.sequence.markdown) {
     Print(ToMarkdown(ScoreTable(report)));
   } else {
     Print(fmt::format("{} on {} images, {} lookup\n", report.name, report.images, report.lookup) +
@@ -199,13 +175,9 @@ ExitCode RunImageEval(const EvalArguments& arguments) {
 }
 
 ExitCode RunEval(const EvalArguments& arguments) {
-  std::optional<tbb::global_control> limit;
-  if (arguments.threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(arguments.threads));
-  }
+  const ThreadLimit limit(arguments.sequence.pipeline.threads);
   return arguments.sequence.sequences.empty() ? RunImageEval(arguments)
-                                              : RunSequenceEval(SequencePart(arguments));
+                                              : RunSequenceEval(arguments.sequence);
 }
 
 }  // namespace
@@ -215,8 +187,6 @@ void AddEvalCommand(CLI::App& app, CommandRun* run) {
   EvalArguments& a = *arguments;
   CLI::App* command =
       app.add_subcommand("eval", "Judge a LUT by repeated warps, or methods on sequences");
-  command->add_option("--lut", a.lut,
-                      "A fit, a baked table (.json), or an .exr in the released layout");
   CLI::Option* images = command->add_option(
       "--images", a.images, "Images, folders of them, or sequences (their references)");
   AddSequenceOptions(*command, &a.sequence)->excludes(images);
@@ -236,9 +206,6 @@ void AddEvalCommand(CLI::App& app, CommandRun* run) {
                    "bilinear, catmull-rom, keys:A, best-keys (the best A each time)")
       ->delimiter(',')
       ->capture_default_str();
-  command->add_option("--lookup", a.lookup, "In the table")
-      ->check(CLI::IsMember({Name(Lookup::kNearest), Name(Lookup::kBilinear)}))
-      ->capture_default_str();
   command->add_option("--format", a.format, "How a fit or an .exr is stored before it is judged")
       ->check(CLI::IsMember(TableFormatNames()))
       ->capture_default_str();
@@ -251,17 +218,16 @@ void AddEvalCommand(CLI::App& app, CommandRun* run) {
       ->check(CLI::Range(0, 1 << 15))
       ->capture_default_str();
   command->add_option("--seed", a.seed, "Of the random trajectories")->capture_default_str();
-  command->add_option("--threads", a.threads, "Threads (default: all)")->check(CLI::Range(0, 1024));
-  command->add_option("--target", a.targets,
+  command->add_option("--target", a.sequence.targets,
                       "FILTER,MARGIN[,half|random[,MAX_WARPS]]: the SSIM must exceed FILTER's by "
                       "more than MARGIN; on "
                       "sequences METHOD,PSNR,SSIM: what it must reach");
-  command->add_option("--pictures", a.pictures,
+  command->add_option("--pictures", a.sequence.pictures,
                       "Folder for pictures: original, Catmull-Rom and the LUT after 24 warps; on "
                       "sequences the reference and all methods where they err most");
   CLI::Option* markdown =
-      command->add_flag("--markdown", a.markdown, "Print the table as Markdown");
-  AddJsonOption(*command, &a.json);
+      command->add_flag("--markdown", a.sequence.markdown, "Print the table as Markdown");
+  AddJsonOption(*command, &a.sequence.json);
   markdown->excludes("--json");
   command->callback([arguments, run] { *run = [arguments] { return RunEval(*arguments); }; });
 }

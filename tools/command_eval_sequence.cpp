@@ -10,6 +10,7 @@
 #include "tools/progress.h"
 #include "tools/sequence_pictures.h"
 #include "tools/sequence_report.h"
+#include "train/judged_frames.h"
 
 namespace warplut {
 namespace {
@@ -177,17 +178,13 @@ CLI::Option* AddSequenceOptions(CLI::App& eval, SequenceEvalArguments* arguments
   eval.add_option("--border", a.border, "Pixels at each edge that do not count, on sequences")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
+  AddTableOptions(eval, &a.pipeline);
   AddPipelineOptions(eval, &a.pipeline);
   return sequence;
 }
 
 ExitCode RunSequenceEval(const SequenceEvalArguments& arguments) {
-  CheckedArguments checked;
-  try {
-    checked = Check(arguments);
-  } catch (const Error& wrong) {
-    throw UsageError(wrong.what());
-  }
+  const CheckedArguments checked = AsUsage([&] { return Check(arguments); });
   SequenceEval eval(arguments, checked.methods);
   std::vector<SequenceReport> reports;
   for (const std::string& path : arguments.sequences) reports.push_back(eval.Judge(path));

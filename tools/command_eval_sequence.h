@@ -11,6 +11,7 @@
 
 namespace warplut {
 
+// What --target, --pictures, --markdown and --json give is shared with the part that judges on images.
 struct SequenceEvalArguments {
   std::vector<std::string> sequences;
   std::vector<std::string> modes = {"sr"};
@@ -23,7 +24,7 @@ struct SequenceEvalArguments {
   bool json = false;
 };
 
-// Adds --sequence (returned), --modes, --every, --border and the options of the pipeline but --lut, --lookup and --threads.
+// Adds --sequence (returned), --modes, --every, --border and the options of tables and pipelines.
 CLI::Option* AddSequenceOptions(CLI::App& eval, SequenceEvalArguments* arguments);
 
 ExitCode RunSequenceEval(const SequenceEvalArguments& arguments);

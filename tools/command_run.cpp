@@ -1,6 +1,5 @@
 // warplut run: a method over a sequence, its frames as files.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <filesystem>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "tools/progress.h"
 #include "tools/sequence_report.h"
 #include "tools/shown_file.h"
+#include "tools/thread_limit.h"
 
 namespace warplut {
 namespace {
@@ -49,18 +49,11 @@ double ShownFrames(const ModeRunOptions& options, int count) {
 }
 
 ExitCode Run(const RunArguments& arguments) {
-  const MethodInfo* method = nullptr;
-  try {
-    method = &MethodOf(arguments.mode);
+  const MethodInfo* method = AsUsage([&] {
     CheckArguments(arguments.pipeline);
-  } catch (const Error& wrong) {
-    throw UsageError(wrong.what());
-  }
-  std::optional<tbb::global_control> limit;
-  if (arguments.pipeline.threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(arguments.pipeline.threads));
-  }
+    return &MethodOf(arguments.mode);
+  });
+  const ThreadLimit limit(arguments.pipeline.threads);
   const Pipeline pipeline(arguments.pipeline);
   const Sequence sequence = ReadSequenceFor(pipeline, arguments.sequence);
   const ShownFormat format = FormatOf(arguments, sequence);
@@ -119,18 +112,13 @@ void AddRunCommand(CLI::App& app, CommandRun* run) {
   }
   command->add_option("--mode", a.mode, modes)->required();
   command->add_option("--sequence", a.sequence, "A sequence.json or its folder")->required();
-  command->add_option("--lut", a.pipeline.lut,
-                      "A fit, a baked table (.json), or an .exr in the released layout");
   command->add_option("--out", a.out, "The folder for the frames")->required();
   command->add_option("--format", a.format, "Of the files (default: png, exr if linear)")
       ->check(CLI::IsMember({"png", "exr"}));
   command->add_option("--every", a.every, "One frame in so many is rendered")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  command->add_option("--lookup", a.pipeline.lookup, "In the table (default: bilinear)")
-      ->check(CLI::IsMember({Name(Lookup::kNearest), Name(Lookup::kBilinear)}));
-  command->add_option("--threads", a.pipeline.threads, "Threads (default: all)")
-      ->check(CLI::Range(0, 1024));
+  AddTableOptions(*command, &a.pipeline);
   AddPipelineOptions(*command, &a.pipeline);
   command->add_flag("--score", a.score, "Judge the frames by the references and print the table");
   AddJsonOption(*command, &a.json);

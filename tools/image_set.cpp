@@ -30,7 +30,7 @@ Image LoadDisplayImage(const fs::path& file) {
   }
   image = WithoutAlpha(image);
   const auto outside = std::find_if(image.data.begin(), image.data.end(),
-                                    [](float value) { return value < 0 || value > 1; });
+                                    [](float value) { return !(value >= 0 && value <= 1); });
   if (outside != image.data.end()) {
     throw Error(fmt::format("{} has the value {}; expected colours as displayed, in [0, 1].",
                             file.string(), *outside));

@@ -14,6 +14,7 @@ packages="
   libhwy-dev
   libcli11-dev nlohmann-json3-dev libfmt-dev
   libgtest-dev libgmock-dev libbenchmark-dev
+  gnuplot-nox
 "
 
 case "${1:-}" in

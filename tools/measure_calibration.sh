@@ -7,21 +7,8 @@
 # The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
 set -eu
 
-data=${WARPLUT_DATA:-}
-if [ "${1:-}" = --data ] && [ $# -ge 2 ]; then
-  data=$2
-  shift 2
-fi
-if [ $# -ne 1 ]; then
-  echo "usage: tools/measure_calibration.sh [--data DIR] OUT" >&2
-  exit 1
-fi
-mkdir -p "$1"
-out=$(cd "$1" && pwd)
-cd "$(dirname "$0")/.."
-warplut=${WARPLUT:-build/release/tools/warplut}
+. "$(dirname "$0")/measuring.sh"
 lut=luts/baked/warplut_x2.json
-mkdir -p "$out/tables" "$out/params" "$out/scenes"
 table=$out/tables/calibration.md
 
 # judge MODES FITTED HELD_OUT OPTION...: one row, of the mean 1 - SSIM over the held-out clips.
@@ -44,8 +31,8 @@ judge() {
 rows() {
   judge "$1" street+plaza harbour,gallery,colonnade --sequence "$out"/scenes/*/
   if [ -z "$data" ]; then return; fi
-  # Recorded motion is that of whole objects and asks for the filter.
-  set -- "$1" --motion-filter on --sequence
+  # Recorded motion may be quantised.
+  set -- "$1" --motion-filter auto --sequence
   judge "$1" stk-lighthouse stk-scotland "$2" "$3" "$4" "$data/stk-lighthouse" "$data/stk-scotland"
   judge "$1" stk-scotland stk-lighthouse "$2" "$3" "$4" "$data/stk-lighthouse" "$data/stk-scotland"
   judge "$1" mobfgsr-sample stk-lighthouse,stk-scotland "$2" "$3" "$4" "$data"/*/

@@ -7,21 +7,17 @@
 # The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
 set -eu
 
-data=${WARPLUT_DATA:-}
-if [ "${1:-}" = --data ] && [ $# -ge 2 ]; then
-  data=$2
-  shift 2
-fi
-if [ $# -ne 1 ]; then
-  echo "usage: tools/measure_pipeline.sh [--data DIR] OUT" >&2
-  exit 1
-fi
-mkdir -p "$1"
-out=$(cd "$1" && pwd)
-cd "$(dirname "$0")/.."
-warplut=${WARPLUT:-build/release/tools/warplut}
+. "$(dirname "$0")/measuring.sh"
 lut=luts/baked/warplut_sr_x2.json
-mkdir -p "$out/tables" "$out/params"
+
+# defaults TABLE OPTION...: judges the recorded sequences with the default parameters.
+defaults() {
+  table=$out/tables/$1.md
+  shift
+  "$warplut" eval --sequence "$data"/*/ --modes sr,i,isr --lut "$lut" --motion-filter auto --markdown "$@" \
+    > "$table.part"
+  mv "$table.part" "$table"
+}
 
 # leave_one_out TABLE OPTION...: judges each recorded sequence with what the others ask for.
 leave_one_out() {
@@ -43,10 +39,10 @@ leave_one_out() {
     done
     shift
     # shellcheck disable=SC2086 # the options have no spaces
-    "$warplut" calibrate --sequence "$@" --modes sr,i,e --lut "$lut" --motion-filter on --max-pixels 60000 \
+    "$warplut" calibrate --sequence "$@" --modes sr,i,e --lut "$lut" --motion-filter auto --max-pixels 60000 \
       --starts 0 --out "$params" $options > "$params.txt"
     # shellcheck disable=SC2086
-    "$warplut" eval --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" --motion-filter on \
+    "$warplut" eval --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" --motion-filter auto \
       --params "$params" --pictures "$out/pictures$(echo "$options" | tr -d ' ')" --markdown $options \
       > "$out/$name.txt"
     grep -v '\.png: ' "$out/$name.txt" >> "$table.part"
@@ -90,6 +86,8 @@ scales pipeline-scales
 if [ -n "$data" ]; then
   leave_one_out pipeline-rendered
   leave_one_out pipeline-texels --texels
+  defaults pipeline-defaults-rendered
+  defaults pipeline-defaults-texels --texels
 fi
 bench bench-sr sr
 bench bench-generation generation

@@ -87,6 +87,10 @@ void CheckArguments(const PipelineArguments& arguments) {
   if (!AreTimesValid(options, &why)) throw Error(why);
 }
 
+Lookup LookupOf(const PipelineArguments& arguments) {
+  return arguments.lookup == Name(Lookup::kNearest) ? Lookup::kNearest : Lookup::kBilinear;
+}
+
 Pipeline::Pipeline(const PipelineArguments& arguments) : arguments_(arguments) {
   CheckArguments(arguments);
   if (arguments.lut.empty()) {
@@ -96,10 +100,7 @@ Pipeline::Pipeline(const PipelineArguments& arguments) : arguments_(arguments) {
     loaded_ = LoadTable(arguments.lut);
     filter_name_ = loaded_->name;
     table_.emplace(loaded_->table.view());
-    warp_ = {.filter = Filter::kLut,
-             .table = &*table_,
-             .lookup =
-                 arguments.lookup == Name(Lookup::kNearest) ? Lookup::kNearest : Lookup::kBilinear};
+    warp_ = {.filter = Filter::kLut, .table = &*table_, .lookup = LookupOf(arguments)};
   }
   if (!arguments.params.empty()) parameters_ = ReadParameters(arguments.params);
 }
@@ -112,14 +113,14 @@ ModeRunOptions Pipeline::Options(const MethodInfo& method, int every) const {
   options.alphas = arguments_.alphas;
   options.super_resolution.warp = warp_;
   options.super_resolution.parameters = parameters_;
-  options.super_resolution.motion_filter = arguments_.motion_filter;
+  options.super_resolution.motion_filter = arguments_.motion_filter == "on";
   for (const PixelFormat format : kHistoryFormats) {
     if (arguments_.history == Name(format)) options.super_resolution.history_format = format;
   }
   options.generation.warp = warp_;
   options.generation.parameters = parameters_;
-  // Super resolution hands over motion that is filtered already.
-  options.generation.motion_filter = arguments_.motion_filter && !method.super_resolution;
+  options.generation.motion_filter = options.super_resolution.motion_filter;
+  options.filter_quantised_motion = arguments_.motion_filter == "auto";
   return options;
 }
 

@@ -21,14 +21,17 @@ struct PipelineArguments {
   std::string frames = {};  // A:B, numbers of the first and the last; empty: all
   int generated = 1;
   std::vector<float> alphas = {};
-  bool motion_filter = false;
-  std::string history = {};  // rgba8, rgba16f, rgba32f; empty: the runtime's default
+  std::string motion_filter = "off";  // "on", or "auto": where a clip's motion is quantised
+  std::string history = {};           // rgba8, rgba16f, rgba32f; empty: the runtime's default
   bool texels = false;
   int threads = 0;
 };
 
 // An Error says which argument makes no sense; no file is opened.
 void CheckArguments(const PipelineArguments& arguments);
+
+// The lookup in a table that they ask for.
+Lookup LookupOf(const PipelineArguments& arguments);
 
 // A range of frames by index.
 struct FrameRange {

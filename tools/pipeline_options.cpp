@@ -3,9 +3,17 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <map>
 
 namespace warplut {
+
+void AddTableOptions(CLI::App& command, PipelineArguments* arguments) {
+  command.add_option("--lut", arguments->lut,
+                     "A fit, a baked table (.json), or an .exr in the released layout");
+  command.add_option("--lookup", arguments->lookup, "In the table (default: bilinear)")
+      ->check(CLI::IsMember({Name(Lookup::kNearest), Name(Lookup::kBilinear)}));
+  command.add_option("--threads", arguments->threads, "Threads (default: all)")
+      ->check(CLI::Range(0, 1024));
+}
 
 void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments) {
   PipelineArguments& a = *arguments;
@@ -20,9 +28,9 @@ void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments) {
       ->excludes(generated);
   command
       .add_option("--motion-filter", a.motion_filter,
-                  "on: take quantisation out of the motion vectors (default: off)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, std::string>{{"on", "true"}, {"off", "false"}}));
+                  "on: take quantisation out of the motion vectors; auto: where they are quantised")
+      ->check(CLI::IsMember({"on", "off", "auto"}))
+      ->capture_default_str();
   command.add_option("--history", a.history, "Format of the history (default: rgba16f)")
       ->check(CLI::IsMember(HistoryFormatNames()));
   command.add_flag("--texels", a.texels,

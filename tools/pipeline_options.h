@@ -10,8 +10,10 @@
 
 namespace warplut {
 
-// Adds --params, --filter, --frames, --generated, --alpha, --motion-filter, --history and --texels. --lut, --lookup and
-// --threads are each command's own.
+// Adds --lut, --lookup and --threads.
+void AddTableOptions(CLI::App& command, PipelineArguments* arguments);
+
+// Adds --params, --filter, --frames, --generated, --alpha, --motion-filter, --history and --texels.
 void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments);
 
 // Prints a sentence on standard error, as a warning.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kKeysPrefix = "keys:";
 
-void WarpUniformly(const WarpOptions& options, const Image& in, const Displacement& v, Image& out) {
+void WarpUniformly(const MotionWarp& warp, const Image& in, const Displacement& v, Image& out) {
   std::vector<float> motion(in.pixels() * 2);
   for (std::size_t pixel = 0; pixel < in.pixels(); ++pixel) {
     motion[2 * pixel] = static_cast<float>(v.x);
@@ -32,15 +32,21 @@ void WarpUniformly(const WarpOptions& options, const Image& in, const Displaceme
                                    .format = PixelFormat::kR32F};
   const MotionView field = {
       .xy = motion.data(), .width = in.width, .height = in.height, .stride = 2 * stride};
-  Warp(history, field, options, result);
+  warp(history, field, result);
 }
 
 }  // namespace
 
-ProtocolFilter RuntimeFilter(const std::string& name, const WarpOptions& options) {
-  return {.name = name, .warp = [options](const Image& in, const Displacement& v, Image& out) {
-            WarpUniformly(options, in, v, out);
+ProtocolFilter UniformFilter(const std::string& name, const MotionWarp& warp) {
+  return {.name = name, .warp = [warp](const Image& in, const Displacement& v, Image& out) {
+            WarpUniformly(warp, in, v, out);
           }};
+}
+
+ProtocolFilter RuntimeFilter(const std::string& name, const WarpOptions& options) {
+  return UniformFilter(
+      name, [options](const ImageView& history, const MotionView& motion,
+                      const MutableImageView& out) { Warp(history, motion, options, out); });
 }
 
 std::optional<WarpOptions> NamedWarp(const std::string& name) {

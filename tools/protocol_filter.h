@@ -1,6 +1,7 @@
 // The runtime's filters, as the protocols take them.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,13 @@
 #include "tools/warp_protocol.h"
 
 namespace warplut {
+
+// A warp of images with any motion, as Warp.
+using MotionWarp = std::function<void(const ImageView& history, const MotionView& motion,
+                                      const MutableImageView& out)>;
+
+// A filter that warps kR32F images with `warp` and the same motion everywhere.
+ProtocolFilter UniformFilter(const std::string& name, const MotionWarp& warp);
 
 // A filter that warps with the runtime's Warp in float, with these options (valid; a table outlives the filter).
 ProtocolFilter RuntimeFilter(const std::string& name, const WarpOptions& options);

@@ -9,6 +9,7 @@
 
 #include "datasets/error.h"
 #include "train/image_views.h"
+#include "train/judged_frames.h"
 
 namespace warplut {
 namespace {
@@ -34,11 +35,6 @@ FrameGeometry ReferenceGeometry(const ClipFrame& frame) {
   return {.depth = frame.reference_depth.view(), .motion = frame.reference_motion.view()};
 }
 
-bool IsJudged(const MethodInfo& method, const ShownFrame& shown) {
-  if (shown.frame < 0) return false;
-  return method.generation == Generation::kNone ? shown.frame > 0 : shown.generated;
-}
-
 Image JudgedImage(const ImageView& image, ColorEncoding encoding) {
   Image judged = ToImage(image);
   if (encoding == ColorEncoding::kDisplay) return judged;
@@ -46,8 +42,7 @@ Image JudgedImage(const ImageView& image, ColorEncoding encoding) {
     for (int x = 0; x < judged.width; ++x) {
       float* rgb = &judged.data[judged.Index(x, y)];
       for (int c = 0; c < 3; ++c) rgb[c] = std::max(rgb[c], 0.0f);
-      const float factor = ToneMapFactor(std::max({rgb[0], rgb[1], rgb[2]}));
-      for (int c = 0; c < 3; ++c) rgb[c] *= factor;
+      ToneMap(rgb);
     }
   });
   return judged;
@@ -76,7 +71,9 @@ void SequenceJudge::Add(const ShownFrame& shown) {
   }
   Image error = Difference(image, reference);
   TemporalErrorSum sum;
-  if (!previous_error_.empty() && previous_ == shown.frame - 1 && !truth.cut) {
+  const bool has_geometry =
+      truth.reference_depth.view().width > 0 && truth.reference_motion.view().width > 0;
+  if (has_geometry && !previous_error_.empty() && previous_ == shown.frame - 1 && !truth.cut) {
     const ClipFrame& before = truth_.frames[static_cast<std::size_t>(previous_)];
     sum = TemporalError(error, ReferenceGeometry(truth), previous_error_, ReferenceGeometry(before),
                         border_);

@@ -29,9 +29,6 @@ struct SequenceScores {
 
 FrameGeometry ReferenceGeometry(const ClipFrame& frame);
 
-// Whether a method is judged by this frame, given that it has a reference.
-bool IsJudged(const MethodInfo& method, const ShownFrame& shown);
-
 // A shown image as it is judged: R, G, B, tone-mapped (runtime/color_encoding.h) where linear.
 Image JudgedImage(const ImageView& image, ColorEncoding encoding);
 
@@ -40,8 +37,8 @@ Image JudgedImage(const ImageView& image, ColorEncoding encoding);
 // clip that were both shown, generated or not, judged or not (but not the first of super resolution); a cut ends a pair.
 class SequenceJudge {
  public:
-  // `truth`: a clip with kTruthStreams whose motion is from frame to frame (every = 1); it outlives the judge. `border`: pixels at
-  // each edge that do not count.
+  // `truth`: a clip with kTruthStreams whose motion is from frame to frame (every = 1); it outlives the judge. Without depth and motion of
+  // the references there is no temporal error. `border`: pixels at each edge that do not count.
   SequenceJudge(const Clip& truth, const MethodInfo& method, int border = kScoreBorder);
 
   // Error if the image is not on the output grid or too small (CompareImages).

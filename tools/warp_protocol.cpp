@@ -26,18 +26,25 @@ std::string Name(const Protocol& protocol) {
   return std::to_string(protocol.warps) + " " + Name(protocol.offsets);
 }
 
-Image WarpRepeatedly(const ProtocolFilter& filter, const Protocol& protocol, const Image& image,
-                     std::size_t index, int trajectory, std::uint64_t seed) {
-  const std::array<int, 1> horizons = {protocol.warps};
+Image WarpAlong(const ProtocolFilter& filter, std::span<const Displacement> trajectory,
+                const Image& image) {
   Image current = image;
   Image next(image.width, image.height, 1);
-  for (const Displacement& v : MakeTrajectory(protocol.offsets, horizons, kProtocolSteps,
-                                              TrajectorySeed(seed, index, trajectory))) {
+  for (const Displacement& v : trajectory) {
     filter.warp(current, v, next);
     for (float& value : next.data) value = std::clamp(value, 0.0f, 1.0f);
     std::swap(current, next);
   }
   return current;
+}
+
+Image WarpRepeatedly(const ProtocolFilter& filter, const Protocol& protocol, const Image& image,
+                     std::size_t index, int trajectory, std::uint64_t seed) {
+  const std::array<int, 1> horizons = {protocol.warps};
+  return WarpAlong(filter,
+                   MakeTrajectory(protocol.offsets, horizons, kProtocolSteps,
+                                  TrajectorySeed(seed, index, trajectory)),
+                   image);
 }
 
 double ProtocolWarps(const Protocol& protocol, const ProtocolOptions& options, std::size_t images) {

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ struct ProtocolOptions {
   // Called after each trajectory with its number of warps, by any thread; what it throws ends the evaluation.
   std::function<void(int warps)> on_warps;
 };
+
+// The image after the warps of a trajectory, clamped after each.
+Image WarpAlong(const ProtocolFilter& filter, std::span<const Displacement> trajectory,
+                const Image& image);
 
 // The image after `warps` warps of the given trajectory of image number `index` (clamped after each warp).
 Image WarpRepeatedly(const ProtocolFilter& filter, const Protocol& protocol, const Image& image,

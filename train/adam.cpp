@@ -4,7 +4,7 @@
 
 namespace warplut {
 
-void MinimizeAdam(MlpObjective& objective, int iterations, const MinimizeCallback& callback,
+void MinimizeAdam(ParameterFunction& objective, int iterations, const MinimizeCallback& callback,
                   AdamState& state, std::vector<double>& parameters) {
   state.mean.resize(parameters.size(), 0.0);
   state.variance.resize(parameters.size(), 0.0);

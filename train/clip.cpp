@@ -9,6 +9,7 @@
 #include "datasets/image_io.h"
 #include "train/image_views.h"
 #include "train/motion_composition.h"
+#include "train/motion_step.h"
 
 namespace warplut {
 namespace {
@@ -88,6 +89,16 @@ void CheckRange(const Sequence& sequence, int first, int count, int every) {
   if (every < 1) throw Error(fmt::format("every is {}; expected at least 1", every));
 }
 
+// Judged by some of the rows.
+bool HasQuantisedMotion(const ClipFrame& frame) {
+  constexpr int kRows = 4;
+  MotionView motion = frame.motion.view();
+  if (motion.width == 0) motion = frame.reference_motion.view();
+  motion.height /= kRows;
+  motion.stride *= kRows;
+  return MotionStep(motion) >= kQuantisedStep;
+}
+
 }  // namespace
 
 RenderedFrame ClipFrame::Rendered() const {
@@ -159,6 +170,7 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
       out.reference_depth = ToBuffer(frame.reference_depth, PixelFormat::kR32F);
     }
   });
+  clip.quantised_motion = std::any_of(clip.frames.begin(), clip.frames.end(), HasQuantisedMotion);
   return clip;
 }
 

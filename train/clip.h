@@ -30,6 +30,7 @@ struct Clip {
   std::string name;
   GridSize render, output;
   ColorEncoding encoding = ColorEncoding::kDisplay;
+  bool quantised_motion = false;  // of some frame (train/motion_step.h)
   std::vector<ClipFrame> frames;
 };
 

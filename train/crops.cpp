@@ -16,23 +16,22 @@ struct Place {
   double gradient = -1;
 };
 
-double MeanGradient(const Image& image, int x0, int y0) {
+double MeanGradient(const Image& image, int x0, int y0, int size) {
   double sum = 0;
-  for (int y = y0; y < y0 + kCropSize - 1; ++y) {
-    for (int x = x0; x < x0 + kCropSize - 1; ++x) {
+  for (int y = y0; y < y0 + size - 1; ++y) {
+    for (int x = x0; x < x0 + size - 1; ++x) {
       sum += std::abs(image.at(x + 1, y) - image.at(x, y)) +
              std::abs(image.at(x, y + 1) - image.at(x, y));
     }
   }
-  return sum / (2.0 * (kCropSize - 1) * (kCropSize - 1));
+  return sum / (2.0 * (size - 1) * (size - 1));
 }
 
-Place DrawPlace(const Image& image, Random& random) {
+Place DrawPlace(const Image& image, int size, Random& random) {
   Place best;
   for (int i = 0; i < kTries && best.gradient < kMinCropGradient; ++i) {
-    Place place{random.Below(image.width - kCropSize + 1),
-                random.Below(image.height - kCropSize + 1)};
-    place.gradient = MeanGradient(image, place.x, place.y);
+    Place place{random.Below(image.width - size + 1), random.Below(image.height - size + 1)};
+    place.gradient = MeanGradient(image, place.x, place.y, size);
     if (place.gradient > best.gradient) best = place;
   }
   return best;
@@ -40,17 +39,17 @@ Place DrawPlace(const Image& image, Random& random) {
 
 }  // namespace
 
-std::vector<BorderedPlane> DrawCrops(const std::vector<Image>& luma, int count,
-                                     std::uint64_t seed) {
+std::vector<BorderedPlane> DrawCrops(const std::vector<Image>& luma, int count, std::uint64_t seed,
+                                     int size) {
   std::vector<BorderedPlane> crops;
   crops.reserve(count);
   Random random(seed);
   for (int i = 0; i < count; ++i) {
     const Image& image = luma[i % luma.size()];
-    const Place place = DrawPlace(image, random);
-    BorderedPlane& crop = crops.emplace_back(kCropSize, kCropSize);
-    for (int y = 0; y < kCropSize; ++y) {
-      for (int x = 0; x < kCropSize; ++x) crop.row(y)[x] = image.at(place.x + x, place.y + y);
+    const Place place = DrawPlace(image, size, random);
+    BorderedPlane& crop = crops.emplace_back(size, size);
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) crop.row(y)[x] = image.at(place.x + x, place.y + y);
     }
     FillBorder(crop);
   }

@@ -7,15 +7,6 @@
 #include "runtime/pixel.h"
 
 namespace warplut {
-namespace {
-
-// One unit of the format's channels as a fraction of 1.
-constexpr float ChannelScale(PixelFormat format) {
-  return format == PixelFormat::kRgba8 ? 255.0f : 1.0f;
-}
-
-}  // namespace
-
 ImageBuffer ToBuffer(const Image& image, PixelFormat format) {
   ImageBuffer buffer(image.width, image.height, format);
   const MutableImageView view = buffer.view();

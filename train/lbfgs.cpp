@@ -1,7 +1,8 @@
 #include <ceres/ceres.h>
 
-#include <algorithm>
+#include <cmath>
 
+#include "luts/mlp.h"
 #include "train/minimize.h"
 
 namespace warplut {
@@ -9,7 +10,7 @@ namespace {
 
 class CostFunction final : public ceres::FirstOrderFunction {
  public:
-  explicit CostFunction(MlpObjective& objective) : objective_(objective) {}
+  explicit CostFunction(ParameterFunction& objective) : objective_(objective) {}
 
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
     *cost = objective_.Evaluate(parameters, gradient);
@@ -18,7 +19,7 @@ class CostFunction final : public ceres::FirstOrderFunction {
   int NumParameters() const override { return kMlpParameters; }
 
  private:
-  MlpObjective& objective_;
+  ParameterFunction& objective_;
 };
 
 class IterationCallback final : public ceres::IterationCallback {
@@ -40,7 +41,7 @@ class IterationCallback final : public ceres::IterationCallback {
 
 }  // namespace
 
-void MinimizeLbfgs(MlpObjective& objective, int iterations, const MinimizeCallback& callback,
+void MinimizeLbfgs(ParameterFunction& objective, int iterations, const MinimizeCallback& callback,
                    std::vector<double>& parameters) {
   ceres::GradientProblem problem(new CostFunction(objective));
   IterationCallback iteration_callback(callback, parameters);

@@ -1,11 +1,11 @@
 // The optimizers of the training, behind one shape.
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
-#include "train/mlp_objective.h"
+#include "train/parameter_function.h"
 
 namespace warplut {
 
@@ -14,7 +14,7 @@ using MinimizeCallback = std::function<bool(const double* parameters, double val
 
 // L-BFGS with a Wolfe line search (Ceres), at most `iterations` from `parameters`, which receives
 // the best point.
-void MinimizeLbfgs(MlpObjective& objective, int iterations, const MinimizeCallback& callback,
+void MinimizeLbfgs(ParameterFunction& objective, int iterations, const MinimizeCallback& callback,
                    std::vector<double>& parameters);
 
 // The paper's optimizer, Adam with learning rate 1e-3, betas 0.9 and 0.999, eps 1e-4 (Mob-FGSR
@@ -30,7 +30,7 @@ inline constexpr double kAdamBeta1 = 0.9;
 inline constexpr double kAdamBeta2 = 0.999;
 inline constexpr double kAdamEpsilon = 1e-4;
 
-void MinimizeAdam(MlpObjective& objective, int iterations, const MinimizeCallback& callback,
+void MinimizeAdam(ParameterFunction& objective, int iterations, const MinimizeCallback& callback,
                   AdamState& state, std::vector<double>& parameters);
 
 }  // namespace warplut

@@ -11,6 +11,7 @@
 #include "train/gain_penalty.h"
 #include "train/head_batch.h"
 #include "train/objective.h"
+#include "train/parameter_function.h"
 
 namespace warplut {
 
@@ -18,15 +19,14 @@ namespace warplut {
 // above the bound is of the order of 1e-4.
 inline constexpr double kGainPenaltyFactor = 20.0;
 
-class MlpObjective {
+class MlpObjective final : public ParameterFunction {
  public:
   // `objective` must outlive this.
   MlpObjective(const Objective& objective, double gain_bound, double penalty_factor)
       : objective_(objective), penalty_(gain_bound), penalty_factor_(penalty_factor) {}
 
-  // J(parameters), and its gradient where `gradient` is not null; kMlpParameters values each.
-  // Counts evaluations.
-  double Evaluate(const double* parameters, double* gradient);
+  // J(parameters). Counts evaluations.
+  double Evaluate(const double* parameters, double* gradient) override;
 
   std::int64_t evaluations() const { return evaluations_; }
 

@@ -86,6 +86,7 @@ std::string WhyClipIsUnfit(const Clip& clip, const ModeRunOptions& options) {
 struct Display {
   DisplayedFrame frame;
   double seconds = 0;
+  FrameTiles tiles;
   ImageBuffer color, depth;  // what super resolution made; not used without it
   MotionBuffer motion;
 };
@@ -123,7 +124,10 @@ class ModeRun {
       if (turn > 0 && method_.generation == Generation::kInterpolation) {
         Generate(before, now, index - options_.every);
       }
-      Show({.time = static_cast<double>(index), .image = now.frame.color, .seconds = now.seconds});
+      Show({.time = static_cast<double>(index),
+            .image = now.frame.color,
+            .seconds = now.seconds,
+            .tiles = now.tiles});
       if (turn > 0 && method_.generation == Generation::kExtrapolation) {
         Generate(before, now, index);
       }
@@ -178,6 +182,7 @@ class ModeRun {
     }
     const Stopwatch watch;
     super_resolution_->Process(rendered, display.color.view());
+    display.tiles = super_resolution_->Tiles();
     display.frame = {.color = display.color.view(), .depth = {}, .motion = {}, .cut = frame.cut};
     if (!Generates(method_)) {
       display.seconds = watch.Seconds();
@@ -199,14 +204,15 @@ class ModeRun {
       Show({.time = begin + static_cast<double>(alpha) * options_.every,
             .generated = true,
             .image = image,
-            .seconds = watch.Seconds()});
+            .seconds = watch.Seconds(),
+            .tiles = generation_ ? generation_->Tiles() : FrameTiles{}});
     }
   }
 
   ImageView GenerateAt(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha) {
     switch (method_.generator) {
       case Generator::kRepeat:
-        return frame0.color;
+        return method_.generation == Generation::kExtrapolation ? frame1.color : frame0.color;
       case Generator::kAverage:
         Blend(frame0.color, frame1.color, alpha);
         break;
@@ -287,6 +293,7 @@ SuperResolutionOptions EffectiveSuperResolution(const Clip& clip, const ModeRunO
   effective.output_width = clip.output.width;
   effective.output_height = clip.output.height;
   effective.encoding = clip.encoding;
+  if (options.filter_quantised_motion && clip.quantised_motion) effective.motion_filter = true;
   options.method->configure_super_resolution(effective);
   if (options.method->paper) effective.parameters = kPaperParameters;
   return effective;
@@ -298,6 +305,12 @@ FrameGenerationOptions EffectiveGeneration(const Clip& clip, const ModeRunOption
   effective.width = grid.width;
   effective.height = grid.height;
   effective.encoding = clip.encoding;
+  // Super resolution hands over motion that is filtered already.
+  if (options.method->super_resolution) {
+    effective.motion_filter = false;
+  } else if (options.filter_quantised_motion && clip.quantised_motion) {
+    effective.motion_filter = true;
+  }
   options.method->configure_generation(effective);
   if (options.method->paper) effective.parameters = kPaperParameters;
   return effective;

@@ -27,6 +27,8 @@ struct ModeRunOptions {
   // Templates: filter, formats, motion filter, parameters, gate width. Sizes and encoding come from the clip, the rest from the method.
   SuperResolutionOptions super_resolution;
   FrameGenerationOptions generation;
+  // Filters the motion of clips whose motion is quantised, whatever the templates say.
+  bool filter_quantised_motion = false;
 
   // Whether the method can run on this clip (its streams are there, sizes fit); otherwise *why says what is missing.
   bool IsValid(const Clip& clip, std::string* why = nullptr) const;
@@ -50,9 +52,10 @@ FrameGenerationOptions EffectiveGeneration(const Clip& clip, const ModeRunOption
 struct ShownFrame {
   double time = 0;  // in frames of the clip; whole numbers have a reference
   bool generated = false;
-  int frame = -1;      // index in the clip if `time` is whole, else -1
-  ImageView image;     // on the grid of the method, in the clip's encoding
-  double seconds = 0;  // that the runtime took to make it; 0 if it was there
+  int frame = -1;         // index in the clip if `time` is whole, else -1
+  ImageView image;        // on the grid of the method, in the clip's encoding
+  double seconds = 0;     // that the runtime took to make it; 0 if it was there
+  FrameTiles tiles = {};  // of the passes that made it
 };
 using ShownFrameSink = std::function<void(const ShownFrame&)>;
 

@@ -3,6 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "luts/filters.h"
@@ -35,6 +36,7 @@ std::vector<Displacement> Objective::DrawTrajectory(std::size_t first, std::size
 Rollout& Objective::AddRollout(std::size_t crop, std::size_t first, std::size_t count,
                                std::span<const Displacement> trajectory) {
   JudgedRollout& judged = rollouts_.emplace_back();
+  judged.crop = crop;
   judged.first = first;
   Rollout& rollout = judged.rollout;
   rollout.start = &crops_[crop];
@@ -47,12 +49,21 @@ Rollout& Objective::AddRollout(std::size_t crop, std::size_t first, std::size_t 
   return rollout;
 }
 
+void Objective::SetBaselines(std::vector<double> baselines) {
+  baselines_ = std::move(baselines);
+  for (double& baseline : baselines_) baseline = std::max(baseline, kLeastBaseline);
+}
+
 void Objective::ScaleBaselines(const Objective& like) {
   const CanonicalWeights<double> catmull_rom = KeysCanonicalWeights(kCatmullRomA);
   const std::vector<double> here = Losses(catmull_rom);
   const std::vector<double> there = like.Losses(catmull_rom);
-  baselines_.assign(like.baselines_.begin(), like.baselines_.begin() + protocols_.size());
-  for (std::size_t i = 0; i < baselines_.size(); ++i) baselines_[i] *= here[i] / there[i];
+  std::vector<double> baselines(like.baselines_.begin(),
+                                like.baselines_.begin() + protocols_.size());
+  for (std::size_t i = 0; i < baselines.size(); ++i) {
+    baselines[i] *= here[i] / std::max(there[i], kLeastBaseline);
+  }
+  SetBaselines(std::move(baselines));
 }
 
 std::vector<double> Objective::Losses(const CanonicalWeights<double>& weights) const {
@@ -76,11 +87,22 @@ double Objective::Combine(std::span<const double> losses, std::span<double> fact
   double total = 0;
   for (const auto& [first, count, share] : kinds_) {
     if (count == 0) continue;
+    double largest = 0, sum = 0;
+    for (std::size_t i = first; i < first + count; ++i) {
+      largest = std::max(largest, losses[i] / baselines_[i]);
+      sum += losses[i] / baselines_[i];
+    }
+    if (largest == 0) {  // nothing is lost, or the losses are not numbers
+      std::fill_n(factors.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0);
+      total += share * sum;
+      continue;
+    }
+    // Relative to the largest, whose power may be no number.
     double mean = 0;
     for (std::size_t i = first; i < first + count; ++i) {
-      mean += std::pow(losses[i] / baselines_[i], power_) / static_cast<double>(count);
+      mean += std::pow(losses[i] / baselines_[i] / largest, power_) / static_cast<double>(count);
     }
-    const double power_mean = std::pow(mean, 1 / power_);
+    const double power_mean = largest * std::pow(mean, 1 / power_);
     total += share * power_mean;
     for (std::size_t i = first; i < first + count; ++i) {
       factors[i] = share * std::pow(losses[i] / baselines_[i] / power_mean, power_ - 1) /
@@ -105,7 +127,8 @@ double Objective::Evaluate(const CanonicalWeights<double>& weights,
   std::vector<CanonicalWeights<double>> gradients(rollouts_.size());
   Workspaces workspaces(crops_[0].width(), crops_[0].height());
   tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
-    const auto& [rollout, first] = rollouts_[r];
+    const Rollout& rollout = rollouts_[r].rollout;
+    const std::size_t first = rollouts_[r].first;
     const std::size_t count = rollout.horizons.size();
     RolloutWorkspace& workspace = workspaces.local();
     std::vector<double> losses(count);

@@ -8,7 +8,8 @@
 //   M(k) = ( mean over the protocols of kind k of (l_i / b_i)^p )^(1/p)
 //
 // The larger p, the more the protocol counts in which w does worst against its baseline; L < 1
-// means better than the baselines.
+// means better than the baselines. Baselines are at least kLeastBaseline: content that no filter
+// disturbs (constant images) has L = 0 and no gradient.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +20,17 @@
 #include "train/rollout.h"
 
 namespace warplut {
+
+// What is lost by rounding alone has no say in an objective.
+inline constexpr double kLeastBaseline = kSsimAccuracy;
+
+// A rollout, the crop that it should end as, and the first of the consecutive protocols that judge it,
+// one for each horizon.
+struct JudgedRollout {
+  Rollout rollout;
+  std::size_t crop = 0;
+  std::size_t first = 0;
+};
 
 class Objective {
  public:
@@ -39,6 +51,8 @@ class Objective {
 
   const std::vector<Protocol>& protocols() const { return protocols_; }
   const std::vector<double>& baselines() const { return baselines_; }
+  const std::vector<BorderedPlane>& crops() const { return crops_; }
+  const std::vector<JudgedRollout>& rollouts() const { return rollouts_; }
 
  protected:
   // Consecutive protocols, and the share q_k. A kind may be empty; its share is then 0.
@@ -61,19 +75,12 @@ class Objective {
   Rollout& AddRollout(std::size_t crop, std::size_t first, std::size_t count,
                       std::span<const Displacement> trajectory);
 
-  void SetBaselines(std::vector<double> baselines) { baselines_ = std::move(baselines); }
+  void SetBaselines(std::vector<double> baselines);
   // The baselines of `like`, which begins with the same protocols, scaled protocol by protocol by
   // what Catmull-Rom loses here over what it loses there: no Keys kernels are searched.
   void ScaleBaselines(const Objective& like);
 
-  const std::vector<BorderedPlane>& crops() const { return crops_; }
-
  private:
-  struct JudgedRollout {
-    Rollout rollout;
-    std::size_t first = 0;  // protocol
-  };
-
   // L; factors[i] = dL/dl_i.
   double Combine(std::span<const double> losses, std::span<double> factors) const;
 

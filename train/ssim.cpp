@@ -1,11 +1,13 @@
-// Streams over the map row by row. With u = x - 1/2, v = y - 1/2 (variances do not change, and lose
-// less to cancellation), row r needs the vertical sums of u, u^2 and u v over image rows r to
-// r + 10, then the horizontal ones. The gradient is the transposed filter of three maps: with
-// S = A1 A2 / (B1 B2),
-//   dS/dE[u^2] = -S / B2
-//   dS/dE[u v] = 2 A1 / (B1 B2)
-//   dS/dmean   = 2 (my (A2 - A1) / (B1 B2) + mx S (1 / B2 - 1 / B1))
-// where the means are those of x and y in A1 and B1, and of u and v in the variances.
+// Streams over the map row by row. With v = y - 1/2 and the error e = x - y, row r needs the vertical
+// sums of e, e^2 and e v over image rows r to r + 10, then the horizontal ones. In the error
+//   A1 = 2 mx my + C1              B1 = A1 + me^2           me, mx, my: means of e, x, y
+//   A2 = 2 (var y + cov(e, y)) + C2    B2 = A2 + var e
+//   1 - S = (me^2 B2 + A1 var e) / (B1 B2)
+// so that nothing cancels where x is close to y, flat places too, and 1 - S is never negative. The
+// gradient is the transposed filter of three maps:
+//   dS/dE[e^2] = -S / B2
+//   dS/dE[e v] = 2 A1 var e / (B1 B2^2)
+//   dS/dE[e]   = 2 A2 me (me my - A1) / (B1^2 B2) - mv dS/dE[e v] - 2 me dS/dE[e^2]
 // Rings of 11 rows keep both passes in cache.
 #include "train/ssim.h"
 
@@ -55,12 +57,16 @@ void PrepareSsim(const SsimRows& s, float* mean_y, float* var_y) {
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int map_width = s.width - kWindow + 1;
-  float* squares = s.scratch;                  // ring of 11 rows
+  float* plain_rows = s.scratch;  // rings of 11 rows: v, v^2
+  float* squares = plain_rows + kWindow * s.stride;
   float* sums = squares + kWindow * s.stride;  // 2 rows
+  const V half = hn::Set(d, 0.5f);
   for (int row = 0; row < s.height; ++row) {
     float* square = squares + (row % kWindow) * s.stride;
+    float* plain_row = plain_rows + (row % kWindow) * s.stride;
     for (int i = 0; i < s.width; i += lanes) {
-      const V v = hn::LoadU(d, s.y + row * s.stride + i);
+      const V v = hn::Sub(hn::LoadU(d, s.y + row * s.stride + i), half);
+      hn::StoreU(v, d, plain_row + i);
       hn::StoreU(hn::Mul(v, v), d, square + i);
     }
     const int r = row - kWindow + 1;
@@ -68,7 +74,7 @@ void PrepareSsim(const SsimRows& s, float* mean_y, float* var_y) {
     const float* plain[kWindow];
     const float* squared[kWindow];
     for (int j = 0; j < kWindow; ++j) {
-      plain[j] = s.y + (r + j) * s.stride;
+      plain[j] = plain_rows + ((r + j) % kWindow) * s.stride;
       squared[j] = squares + ((r + j) % kWindow) * s.stride;
     }
     Vertical(s.taps, plain, s.width, sums);
@@ -82,7 +88,8 @@ void PrepareSsim(const SsimRows& s, float* mean_y, float* var_y) {
   }
 }
 
-// The sum of the SSIM map; with a gradient, adds scale times the map sum's derivative to it.
+// The sum of 1 - SSIM over the map; with a gradient, adds scale times the derivative of the sum of
+// SSIM to it.
 template <bool kGradient>
 double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, float scale,
                 float* gradient, std::ptrdiff_t gradient_stride) {
@@ -91,10 +98,10 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
   const int map_width = s.width - kWindow + 1;
   const int map_height = s.height - kWindow + 1;
   const std::ptrdiff_t st = s.stride;
-  float* ring_u = s.scratch;  // three rings of 11 rows: u, u^2, u v
-  float* ring_uu = ring_u + kWindow * st;
-  float* ring_uv = ring_uu + kWindow * st;
-  float* sums = ring_uv + kWindow * st;  // three rows
+  float* ring_e = s.scratch;  // three rings of 11 rows: e, e^2, e v
+  float* ring_ee = ring_e + kWindow * st;
+  float* ring_ev = ring_ee + kWindow * st;
+  float* sums = ring_ev + kWindow * st;  // three rows
   float* maps = sums + 3 * st;           // three rows of derivatives, 10 zeros before and after
   float* ring_d = maps + 3 * st;         // three rings of 11 rows: transposed horizontal sums
   const V half = hn::Set(d, 0.5f);
@@ -108,8 +115,8 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
     // Gradient row q takes map rows q - 10 .. q, those that exist.
     const int first = q - kWindow + 1 < 0 ? 0 : q - kWindow + 1;
     const int last = q < map_height ? q : map_height - 1;
-    const float* u = x + q * x_stride;
-    const float* v = s.y + q * st;
+    const float* xr = x + q * x_stride;
+    const float* yr = s.y + q * st;
     float* g = gradient + q * gradient_stride;
     const auto sum_at = [&](int i, V& mean, V& square, V& product) {
       mean = square = product = hn::Zero(d);
@@ -126,9 +133,9 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
     for (; i + lanes <= s.width; i += lanes) {
       V mean, square, product;
       sum_at(i, mean, square, product);
-      const V uu = hn::Sub(hn::LoadU(d, u + i), half);
-      const V sum =
-          hn::MulAdd(hn::Add(uu, uu), square, hn::MulAdd(hn::LoadU(d, v + i), product, mean));
+      const V y = hn::LoadU(d, yr + i);
+      const V e = hn::Sub(hn::LoadU(d, xr + i), y);
+      const V sum = hn::MulAdd(hn::Add(e, e), square, hn::MulAdd(hn::Sub(y, half), product, mean));
       hn::StoreU(hn::MulAdd(factor, sum, hn::LoadU(d, g + i)), d, g + i);
     }
     if (i < s.width) {
@@ -139,7 +146,8 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
       hn::Store(square, d, sq);
       hn::Store(product, d, pr);
       for (int l = 0; i + l < s.width; ++l) {
-        g[i + l] += scale * (m[l] + 2 * (u[i + l] - 0.5f) * sq[l] + v[i + l] * pr[l]);
+        const float e = xr[i + l] - yr[i + l];
+        g[i + l] += scale * (m[l] + 2 * e * sq[l] + (yr[i + l] - 0.5f) * pr[l]);
       }
     }
   };
@@ -150,16 +158,17 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
     const std::ptrdiff_t slot = (row % kWindow) * st;
     int i = 0;
     for (; i + lanes <= s.width; i += lanes) {
-      const V u = hn::Sub(hn::LoadU(d, xr + i), half);
-      hn::StoreU(u, d, ring_u + slot + i);
-      hn::StoreU(hn::Mul(u, u), d, ring_uu + slot + i);
-      hn::StoreU(hn::Mul(u, hn::LoadU(d, yr + i)), d, ring_uv + slot + i);
+      const V y = hn::LoadU(d, yr + i);
+      const V e = hn::Sub(hn::LoadU(d, xr + i), y);
+      hn::StoreU(e, d, ring_e + slot + i);
+      hn::StoreU(hn::Mul(e, e), d, ring_ee + slot + i);
+      hn::StoreU(hn::Mul(e, hn::Sub(y, half)), d, ring_ev + slot + i);
     }
     for (; i < s.width; ++i) {
-      const float u = xr[i] - 0.5f;
-      ring_u[slot + i] = u;
-      ring_uu[slot + i] = u * u;
-      ring_uv[slot + i] = u * yr[i];
+      const float e = xr[i] - yr[i];
+      ring_e[slot + i] = e;
+      ring_ee[slot + i] = e * e;
+      ring_ev[slot + i] = e * (yr[i] - 0.5f);
     }
     const int r = row - kWindow + 1;
     if (r < 0) continue;
@@ -167,39 +176,41 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
     const float* rows[3][kWindow];
     for (int j = 0; j < kWindow; ++j) {
       const std::ptrdiff_t at = ((r + j) % kWindow) * st;
-      rows[0][j] = ring_u + at;
-      rows[1][j] = ring_uu + at;
-      rows[2][j] = ring_uv + at;
+      rows[0][j] = ring_e + at;
+      rows[1][j] = ring_ee + at;
+      rows[2][j] = ring_ev + at;
     }
     for (int f = 0; f < 3; ++f) Vertical(s.taps, rows[f], s.width, sums + f * st);
 
     V row_sum = hn::Zero(d);
     for (int c = 0; c < map_width; c += lanes) {
-      const V mu = Horizontal(s.taps, sums + c);
-      const V uu = Horizontal(s.taps, sums + st + c);
-      const V uv = Horizontal(s.taps, sums + 2 * st + c);
+      const V me = Horizontal(s.taps, sums + c);
+      const V ee = Horizontal(s.taps, sums + st + c);
+      const V ev = Horizontal(s.taps, sums + 2 * st + c);
       const V mv = hn::LoadU(d, s.mean_y + r * st + c);
       const V var_y = hn::LoadU(d, s.var_y + r * st + c);
-      const V mx = hn::Add(mu, half);
       const V my = hn::Add(mv, half);
-      const V covariance = hn::NegMulAdd(mu, mv, uv);
-      const V var_x = hn::NegMulAdd(mu, mu, uu);
+      const V mx = hn::Add(my, me);
+      const V covariance = hn::NegMulAdd(me, mv, ev);
+      const V var_e = hn::Max(hn::NegMulAdd(me, me, ee), hn::Zero(d));
       const V a1 = hn::MulAdd(hn::Mul(two, mx), my, c1);
-      const V a2 = hn::MulAdd(two, covariance, c2);
-      const V b1 = hn::MulAdd(mx, mx, hn::MulAdd(my, my, c1));
-      const V b2 = hn::Add(hn::Add(var_x, var_y), c2);
+      const V a2 = hn::MulAdd(two, hn::Add(var_y, covariance), c2);
+      const V b1 = hn::MulAdd(me, me, a1);
+      const V b2 = hn::Add(a2, var_e);
       const V inverse = hn::Div(one, hn::Mul(b1, b2));
-      const V ssim = hn::Mul(hn::Mul(a1, a2), inverse);
+      const V loss = hn::Mul(hn::MulAdd(hn::Mul(me, me), b2, hn::Mul(a1, var_e)), inverse);
       const auto inside = hn::FirstN(d, static_cast<size_t>(map_width - c));
-      row_sum = hn::Add(row_sum, hn::IfThenElseZero(inside, ssim));
+      row_sum = hn::Add(row_sum, hn::IfThenElseZero(inside, loss));
       if constexpr (kGradient) {
-        const V to_square = hn::Neg(hn::Mul(ssim, hn::Mul(b1, inverse)));
-        const V to_product = hn::Mul(hn::Mul(two, a1), inverse);
-        // Through A1 and B1 the mean of x acts, through the variances the mean of u.
+        const V twice = hn::Mul(two, inverse);
+        const V inverse1 = hn::Mul(b2, inverse);
+        const V inverse2 = hn::Mul(b1, inverse);
+        const V to_square = hn::Mul(hn::Sub(loss, one), inverse2);
+        const V to_product = hn::Mul(hn::Mul(twice, inverse2), hn::Mul(a1, var_e));
         const V direct =
-            hn::Mul(two, hn::Mul(inverse, hn::NegMulAdd(mx, hn::Mul(ssim, b2), hn::Mul(my, a2))));
+            hn::Mul(hn::Mul(twice, inverse1), hn::Mul(hn::Mul(a2, me), hn::MulSub(me, my, a1)));
         const V to_mean =
-            hn::NegMulAdd(hn::Add(mu, mu), to_square, hn::NegMulAdd(mv, to_product, direct));
+            hn::NegMulAdd(hn::Add(me, me), to_square, hn::NegMulAdd(mv, to_product, direct));
         float* at = maps + kWindow - 1 + c;
         hn::StoreU(hn::IfThenElseZero(inside, to_mean), d, at);
         hn::StoreU(hn::IfThenElseZero(inside, to_square), d, at + st);
@@ -223,12 +234,12 @@ double SsimPass(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, floa
   return total;
 }
 
-double SsimMean(const SsimRows& s, const float* x, std::ptrdiff_t x_stride) {
+double SsimLoss(const SsimRows& s, const float* x, std::ptrdiff_t x_stride) {
   return SsimPass<false>(s, x, x_stride, 0, nullptr, 0);
 }
 
-double SsimGradient(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, float scale,
-                    float* gradient, std::ptrdiff_t gradient_stride) {
+double SsimLossAndGradient(const SsimRows& s, const float* x, std::ptrdiff_t x_stride, float scale,
+                           float* gradient, std::ptrdiff_t gradient_stride) {
   return SsimPass<true>(s, x, x_stride, scale, gradient, gradient_stride);
 }
 
@@ -242,8 +253,8 @@ HWY_AFTER_NAMESPACE();
 
 namespace warplut {
 HWY_EXPORT(PrepareSsim);
-HWY_EXPORT(SsimMean);
-HWY_EXPORT(SsimGradient);
+HWY_EXPORT(SsimLoss);
+HWY_EXPORT(SsimLossAndGradient);
 
 namespace {
 
@@ -266,7 +277,7 @@ Ssim::Ssim(const PlaneView& y)
   const std::size_t plane = static_cast<std::size_t>(stride_) * height_;
   y_.assign(plane, 0);
   for (int row = 0; row < height_; ++row) {
-    for (int i = 0; i < width_; ++i) y_[row * stride_ + i] = y.data[row * y.stride + i] - 0.5f;
+    for (int i = 0; i < width_; ++i) y_[row * stride_ + i] = y.data[row * y.stride + i];
   }
   mean_y_.assign(plane, 0);
   var_y_.assign(plane, 0);
@@ -279,15 +290,15 @@ SsimRows Ssim::Rows(float* scratch) const {
 }
 
 double Ssim::Mean(const PlaneView& x) const {
-  return HWY_DYNAMIC_DISPATCH(SsimMean)(Rows(Scratch(stride_)), x.data, x.stride) / MapSize();
+  return 1 - HWY_DYNAMIC_DISPATCH(SsimLoss)(Rows(Scratch(stride_)), x.data, x.stride) / MapSize();
 }
 
 double Ssim::MeanAndGradient(const PlaneView& x, float scale, float* gradient,
                              std::ptrdiff_t gradient_stride) const {
   const auto map_scale = static_cast<float>(scale / MapSize());
-  return HWY_DYNAMIC_DISPATCH(SsimGradient)(Rows(Scratch(stride_)), x.data, x.stride, map_scale,
-                                            gradient, gradient_stride) /
-         MapSize();
+  return 1 - HWY_DYNAMIC_DISPATCH(SsimLossAndGradient)(Rows(Scratch(stride_)), x.data, x.stride,
+                                                       map_scale, gradient, gradient_stride) /
+                 MapSize();
 }
 
 double Ssim::MapSize() const {

@@ -59,7 +59,7 @@ class Ssim {
   int height_ = 0;
   std::ptrdiff_t stride_ = 0;  // of every plane and row below, in floats
   std::array<float, kSsimWindow> taps_{};
-  std::vector<float> y_;       // y - 1/2, height_ rows
+  std::vector<float> y_;       // height_ rows
   std::vector<float> mean_y_;  // window means of y, per pixel of the map
   std::vector<float> var_y_;   // window variances of y
 };

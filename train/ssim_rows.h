@@ -10,13 +10,13 @@ struct SsimRows {
   int height = 0;
   std::ptrdiff_t stride = 0;    // of every row below; rows may be read and written in whole vectors
   const float* taps = nullptr;  // kSsimWindow
-  const float* y = nullptr;     // y - 1/2
+  const float* y = nullptr;
   const float* mean_y = nullptr;
   const float* var_y = nullptr;
   float* scratch = nullptr;  // kSsimScratchRows rows, zero at first
 };
 
-// Rings of 11 rows of u, u^2, u v and of the three derivatives, and six single rows.
+// Rings of 11 rows of e, e^2, e v and of the three derivatives, and six single rows.
 inline constexpr int kSsimScratchRows = 6 * 11 + 6;
 
 }  // namespace warplut

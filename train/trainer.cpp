@@ -16,8 +16,10 @@
 #include "luts/filters.h"
 #include "train/checkpoint.h"
 #include "train/crops.h"
+#include "train/gain_limit.h"
 #include "train/keys_search.h"
 #include "train/minimize.h"
+#include "train/mlp_objective.h"
 #include "train/random.h"
 #include "train/sr_objective.h"
 #include "train/warp_objective.h"
@@ -67,6 +69,23 @@ std::unique_ptr<const Objective> MakeObjective(const TrainOptions& options,
   }
   const WarpObjectiveOptions warp{power, *options.pan_share, pans_per_crop};
   return std::make_unique<WarpObjective>(std::move(crops), options.horizons, seed, warp, like);
+}
+
+void RequireDisplayRange(const Image& luma, const std::string& name) {
+  for (std::size_t i = 0; i < luma.data.size(); ++i) {
+    const float value = luma.data[i];
+    if (!(value >= 0 && value <= 1)) {
+      const auto width = static_cast<std::size_t>(luma.width);
+      throw Error(fmt::format(
+          "{}: the luma of pixel ({}, {}) is {:.7g}; expected colours as displayed, in [0, 1].",
+          name, i % width, i / width, value));
+    }
+  }
+}
+
+bool IsFlat(const Image& luma) {
+  return std::all_of(luma.data.begin(), luma.data.end(),
+                     [&](float value) { return value == luma.data[0]; });
 }
 
 class Training {
@@ -161,6 +180,7 @@ bool Training::RunStage() {
 void Training::FinishStage(std::int64_t evaluations, double loss) {
   ++state_.stage;
   state_.evaluations += evaluations;
+  LimitGain(LargestGain(options_.gain_bound), head_, state_.parameters);
   const CanonicalWeights<double>& weights = head_.Forward(state_.parameters.data());
   CanonicalWeights<double> unused{};
   const double validation = validation_->Evaluate(weights) +
@@ -208,13 +228,19 @@ std::vector<Image> CheckedLuma(const std::vector<TrainImage>& images) {
   if (images.empty()) throw Error("There are no training images; expected at least one.");
   std::vector<Image> luma;
   luma.reserve(images.size());
+  bool flat = true;
   for (const TrainImage& image : images) {
-    luma.push_back(Luma(image.image));
-    if (luma.back().width < kCropSize || luma.back().height < kCropSize) {
+    const Image& checked = luma.emplace_back(Luma(image.image));
+    if (checked.width < kCropSize || checked.height < kCropSize) {
       throw Error(fmt::format("{} is {} x {}; expected a training image of at least {} x {}.",
-                              image.record.name, luma.back().width, luma.back().height, kCropSize,
+                              image.record.name, checked.width, checked.height, kCropSize,
                               kCropSize));
     }
+    RequireDisplayRange(checked, image.record.name);
+    flat = flat && IsFlat(checked);
+  }
+  if (flat) {
+    throw Error("Every training image is of one value; expected at least one with detail.");
   }
   return luma;
 }

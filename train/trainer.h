@@ -2,7 +2,8 @@
 //
 // The training goes in stages. Each draws crops and trajectories anew, so that no stage can learn
 // its trajectories by heart, and starts the optimizer from where the last one ended; early stages
-// have fewer crops and a smoother objective. After each stage the fit is validated on crops that
+// have fewer crops and a smoother objective. At the end of a stage the gain is limited, so that the
+// weights keep their bound (train/gain_limit.h). After each stage the fit is validated on crops that
 // are drawn from other places and trajectories of their own; the best stage is the result.
 #pragma once
 
@@ -21,7 +22,8 @@ struct TrainImage {
   Image image;
 };
 
-// The luma of the images. An Error if there are none, or names one that is smaller than a crop.
+// The luma of the images. An Error if there are none or all are constant, or names one that is smaller
+// than a crop or has values outside [0, 1] (a NaN too).
 std::vector<Image> CheckedLuma(const std::vector<TrainImage>& images);
 
 struct TrainProgress {
@@ -40,7 +42,7 @@ struct TrainResult {
   bool interrupted = false;  // by the callback; the checkpoint is kept
 };
 
-// Trains. An Error says what is wrong with the data (none, an image smaller than a crop) or the
+// Trains. An Error says what is wrong with the data (as CheckedLuma) or the
 // checkpoint (damaged, of other options or data). Same options, data and seed give the same bits
 // for any number of threads, also across an interruption, unless max_seconds ends it; between
 // instruction sets the bits differ.

@@ -88,7 +88,9 @@ HWY_INLINE void FindSources(const GenerationJob& job, const MotionView& motion,
     hn::LoadInterleaved2(d, from + 2 * i, mx, my);
     const auto p =
         FindNearest(job, PixelNumbers(x0 + i), static_cast<float>(y), hn::Neg(mx), hn::Neg(my));
-    GatherPixels(depth, p.x, p.y, TwoRuns(p.x, p.y, job.width()), to.depth + i);
+    if (DepthOf(job.options) != DepthMeasure::kNone) {
+      GatherPixels(depth, p.x, p.y, TwoRuns(p.x, p.y, job.width()), to.depth + i);
+    }
     hn::Store(hn::IfThenElseZero(p.inside, hn::Set(d, 1.0f)), d, to.inside + i);
   }
 }
@@ -120,9 +122,11 @@ HWY_INLINE Floats FrameShares(const GenerationJob& job, const SourcePixels& sour
   const FloatTag d;
   const auto zero = hn::Zero(d);
   const auto one = hn::Set(d, 1.0f);
-  const auto depth =
-      DepthDifferences(job.options.depth, CleanDepths(hn::Load(d, source0.depth + i)),
-                       CleanDepths(hn::Load(d, source1.depth + i)));
+  const DepthMeasure measure = DepthOf(job.options);
+  const auto depth = measure == DepthMeasure::kNone
+                         ? zero
+                         : DepthDifferences(measure, CleanDepths(hn::Load(d, source0.depth + i)),
+                                            CleanDepths(hn::Load(d, source1.depth + i)));
   const auto inside0 = hn::Gt(hn::Load(d, source0.inside + i), zero);
   const auto inside1 = hn::Gt(hn::Load(d, source1.inside + i), zero);
   const auto share = InterpolationShares(job, depth, brightness);
@@ -131,20 +135,23 @@ HWY_INLINE Floats FrameShares(const GenerationJob& job, const SourcePixels& sour
   return hn::IfThenElse(inside1, hn::IfThenElse(inside0, share, one), without1);
 }
 
-void BlendRow(const GenerationJob& job, const WarpedFrames& warped, int y,
-              const MutableImageView& out) {
+inline void BlendRow(const GenerationJob& job, const WarpedFrames& warped, int y,
+                     const MutableImageView& out) {
   const FloatTag d;
+  const ImageView warped0 = InFormat(kWarpedFrameFormat, warped.color0);
+  const ImageView warped1 = InFormat(kWarpedFrameFormat, warped.color1);
+  const MutableImageView blended = InFormat(kBlendedFrameFormat, out);
   ColorPlanes color, color0;
   SourcePixels source0, source1;
   for (int x0 = 0; x0 < job.width(); x0 += kPixels) {
     const int count = std::min(kPixels, job.width() - x0);
-    LoadPlanes(warped.color1, x0, y, count, color);
-    if (job.interpolates) {
-      LoadPlanes(warped.color0, x0, y, count, color0);
+    LoadPlanes(warped1, x0, y, count, color);
+    if (job.Interpolates()) {
+      LoadPlanes(warped0, x0, y, count, color0);
       FindSources(job, warped.from0, job.depth0, x0, y, count, source0);
       FindSources(job, warped.from1, job.depth1, x0, y, count, source1);
       for (int i = 0; i < kPixels; i += kLanes) {
-        const auto brightness = job.options.brightness_gate
+        const auto brightness = GatesBrightness(job.options)
                                     ? hn::Sub(Brightnesses(color0, i), Brightnesses(color, i))
                                     : hn::Set(d, kUnlike);
         const auto share = FrameShares(job, source0, source1, brightness, i);
@@ -155,7 +162,7 @@ void BlendRow(const GenerationJob& job, const WarpedFrames& warped, int y,
         }
       }
     }
-    StorePlanes(color, count, x0, y, out);
+    StorePlanes(color, count, x0, y, blended);
   }
 }
 

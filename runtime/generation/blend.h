@@ -1,12 +1,18 @@
 // The last pass: frames 0 and 1, warped to the generated frame, become its colour.
 #pragma once
 
+#include <algorithm>
+
+#include "luts/luma_weights.h"
 #include "runtime/generation/generation_job.h"
+#include "runtime/pixel.h"
 
 namespace warplut::generation {
 
-// Weights of R, G and B in the brightness that T_B is compared with. Source: ITU-R BT.709-6, section 3.
-inline constexpr float kBrightnessWeights[3] = {0.2126f, 0.7152f, 0.0722f};
+// Weights of R, G and B in the brightness that T_B is compared with.
+inline constexpr float kBrightnessWeights[3] = {static_cast<float>(kLumaWeights[0]),
+                                                static_cast<float>(kLumaWeights[1]),
+                                                static_cast<float>(kLumaWeights[2])};
 
 struct Rgb {
   float c[3];
@@ -26,14 +32,19 @@ float FrameShare(const GenerationJob& job, int x, int y, Vector from0, Vector fr
 // A brightness difference beyond every T_B: what stands for it without a brightness gate.
 inline constexpr float kUnlike = 4.0f;
 
-// What the codes or values of a format are divided by to lie in [0, 1].
-constexpr float ChannelScale(PixelFormat format) {
-  return format == PixelFormat::kRgba8 ? 255.0f : 1.0f;
-}
-
 // A pixel of a display-encoded image, or of a tone-mapped one, limited to [0, 1], NaN as 0; and back.
-Rgb LoadRgb(PixelFormat format, const void* pixel);
-void StoreRgb(const Rgb& color, PixelFormat format, void* pixel);
+inline Rgb LoadRgb(PixelFormat format, const void* pixel) {
+  Rgb color;
+  for (int i = 0; i < 3; ++i) {
+    const float value = LoadChannel(format, pixel, i) * (1.0f / ChannelScale(format));
+    color.c[i] = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+  }
+  return color;
+}
+inline void StoreRgb(const Rgb& color, PixelFormat format, void* pixel) {
+  for (int i = 0; i < 3; ++i) StoreChannel(format, color.c[i] * ChannelScale(format), pixel, i);
+  StoreChannel(format, ChannelScale(format), pixel, 3);
+}
 
 // The warped frames and the motion they were warped by; what of them lies in the row that is blended.
 struct WarpedFrames {

@@ -1,23 +1,6 @@
-#include <algorithm>
-
 #include "runtime/generation/blend.h"
-#include "runtime/pixel.h"
 
 namespace warplut::generation {
-
-Rgb LoadRgb(PixelFormat format, const void* pixel) {
-  Rgb color;
-  for (int i = 0; i < 3; ++i) {
-    const float value = LoadChannel(format, pixel, i) * (1.0f / ChannelScale(format));
-    color.c[i] = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
-  }
-  return color;
-}
-
-void StoreRgb(const Rgb& color, PixelFormat format, void* pixel) {
-  for (int i = 0; i < 3; ++i) StoreChannel(format, color.c[i] * ChannelScale(format), pixel, i);
-  StoreChannel(format, ChannelScale(format), pixel, 3);
-}
 
 float FrameShare(const GenerationJob& job, int x, int y, Vector from0, Vector from1,
                  float brightness0, float brightness1) {
@@ -26,9 +9,9 @@ float FrameShare(const GenerationJob& job, int x, int y, Vector from0, Vector fr
   if (p0.x < 0 && p1.x < 0) return job.alpha >= 0.5f ? 1.0f : 0.0f;
   if (p0.x < 0) return 1.0f;
   if (p1.x < 0) return 0.0f;
-  const float depth = DepthDifference(job.options.depth, DepthAt(job.depth0, p0.x, p0.y),
+  const float depth = DepthDifference(DepthOf(job.options), DepthAt(job.depth0, p0.x, p0.y),
                                       DepthAt(job.depth1, p1.x, p1.y));
-  const float brightness = job.options.brightness_gate ? brightness0 - brightness1 : kUnlike;
+  const float brightness = GatesBrightness(job.options) ? brightness0 - brightness1 : kUnlike;
   return InterpolationShare(depth, brightness, job.alpha, job.depth_threshold(),
                             job.options.parameters.brightness_threshold, job.options.gate_width);
 }
@@ -37,7 +20,7 @@ void BlendRowReference(const GenerationJob& job, const WarpedFrames& warped, int
                        const MutableImageView& out) {
   for (int x = 0; x < job.width(); ++x) {
     Rgb color = LoadRgb(warped.color1.format, warped.color1.At(x, y));
-    if (job.interpolates) {
+    if (job.Interpolates()) {
       const Rgb color0 = LoadRgb(warped.color0.format, warped.color0.At(x, y));
       const float share =
           FrameShare(job, x, y, MotionAt(warped.from0, x, y), MotionAt(warped.from1, x, y),

@@ -1,10 +1,10 @@
 #include "runtime/frame_generation.h"
 
 #include <algorithm>
-#include <atomic>
 #include <vector>
 
-#include "runtime/generation/band.h"
+#include "runtime/chosen.h"
+#include "runtime/generation/band_buffers.h"
 #include "runtime/generation/color_repair.h"
 #include "runtime/generation/frame_check.h"
 #include "runtime/generation/row_kernels.h"
@@ -20,6 +20,13 @@ namespace {
 
 constexpr int kSplatRows = 2 * kBandRows;  // of the generated frame that are splatted to together
 
+RowKernels KernelsOf(const FrameGenerationOptions& options) {
+  if constexpr (kPipeline.reference) {
+    if (options.reference) return ReferenceRowKernels();
+  }
+  return FastRowKernels();
+}
+
 }  // namespace
 
 struct FrameGeneration::State {
@@ -27,14 +34,8 @@ struct FrameGeneration::State {
 
   // Calls work(band, buffers) for bands of `rows` rows, each once.
   template <class Work>
-  void ForEachBand(int rows, const Work& work) {
-    const int count = TileCount(options.height, rows);
-    std::atomic<int> next = 0;
-    executor.ForEach(static_cast<int>(bands.size()), [&](int worker) {
-      for (int i = next++; i < count; i = next++) {
-        work(Band{i * rows, std::min((i + 1) * rows, options.height)}, bands[worker]);
-      }
-    });
+  void ForBands(int rows, const Work& work) {
+    ForEachBand(executor, options.height, rows, bands, work);
   }
 
   void Generate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
@@ -49,7 +50,7 @@ struct FrameGeneration::State {
                const MutableImageView& out);
   void FindMotion(const GenerationJob& job, const Band& band, BandBuffers& buffers) const;
   void WarpBand(const ImageView& color, const MotionView& motion, const Band& band,
-                const MutableImageView& to) const;
+                BandBuffers& buffers, const MutableImageView& to) const;
   void BlendBand(const GenerationJob& job, const WarpedFrames& warped, const Band& band,
                  const MutableImageView& out) const;
 
@@ -62,28 +63,31 @@ struct FrameGeneration::State {
   FrameGenerationOptions options;
   Executor& executor;
   RowKernels kernels;
+  // With splatting.
   RowBuffer forward;            // displacements, one row of pixels after the other
   RowBuffer keys;               // likewise
   std::vector<RowRange> reach;  // of each row of frame 1: the rows at which it arrives
-  ImageBuffer mapped;           // kLinearHdr: the frame that is being warped
+
+  ImageBuffer mapped;  // kLinearHdr: the frame that is being warped
   std::unique_ptr<MotionFilter> filter;
   MotionBuffer filtered0, filtered1;  // with a motion filter
   std::vector<BandBuffers> bands;     // one for each worker
+  std::int64_t tiles = 0;             // of the last frame
 };
 
-FrameGeneration::State::State(const FrameGenerationOptions& frame_options, Executor& threads)
-    : options(frame_options),
-      executor(threads),
-      kernels(options.reference ? ReferenceRowKernels() : FastRowKernels()) {
+inline FrameGeneration::State::State(const FrameGenerationOptions& frame_options, Executor& threads)
+    : options(frame_options), executor(threads), kernels(KernelsOf(options)) {
   const int width = options.width, height = options.height;
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  forward = RowBuffer(pixels * 2 * sizeof(float), 1);
-  keys = RowBuffer(pixels * sizeof(SplatKey), 1);
-  reach.resize(static_cast<std::size_t>(height));
-  if (options.encoding == ColorEncoding::kLinearHdr) {
+  if (Splats(options)) {
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    forward = RowBuffer(pixels * 2 * sizeof(float), 1);
+    keys = RowBuffer(pixels * sizeof(SplatKey), 1);
+    reach.resize(static_cast<std::size_t>(height));
+  }
+  if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
     mapped = ImageBuffer(width, height, PixelFormat::kRgba32F);
   }
-  if (options.motion_filter) {
+  if (FiltersMotion(options)) {
     filter = std::make_unique<MotionFilter>(width, height,
                                             MotionFilterOptions{options.motion_filter_limit});
     filtered0 = MotionBuffer(width, height);
@@ -92,10 +96,10 @@ FrameGeneration::State::State(const FrameGenerationOptions& frame_options, Execu
   for (int i = 0; i < executor.Threads(); ++i) bands.emplace_back(width);
 }
 
-void FrameGeneration::State::FilterMotion(GenerationJob& job) {
-  if (filter == nullptr) return;
+inline void FrameGeneration::State::FilterMotion(GenerationJob& job) {
+  if (!FiltersMotion(options)) return;
   const auto apply = [&](const ImageView& depth, MotionBuffer& filtered, MotionView& motion) {
-    if (options.reference) {
+    if (IsReference(options)) {
       MotionFilter::Reference(depth, motion, {options.motion_filter_limit}, filtered.view());
     } else {
       filter->Apply(depth, motion, executor, filtered.view());
@@ -103,14 +107,14 @@ void FrameGeneration::State::FilterMotion(GenerationJob& job) {
     motion = filtered.view();
   };
   apply(job.depth1, filtered1, job.motion1);
-  if (job.motion0_counts) apply(job.depth0, filtered0, job.motion0);
+  if (job.CountsMotion0()) apply(job.depth0, filtered0, job.motion0);
 }
 
-void FrameGeneration::State::Splat(const GenerationJob& job) {
-  ForEachBand(kBandRows, [&](const Band& band, BandBuffers&) {
+inline void FrameGeneration::State::Splat(const GenerationJob& job) {
+  ForBands(kBandRows, [&](const Band& band, BandBuffers&) {
     for (int y = band.first; y < band.last; ++y) reach[y] = kernels.forward(job, y, Forward());
   });
-  ForEachBand(kSplatRows, [&](const Band& band, BandBuffers&) {
+  ForBands(kSplatRows, [&](const Band& band, BandBuffers&) {
     std::fill(Keys().Row(band.first), Keys().Row(band.last), kNoSplat);
     for (int y = 0; y < options.height; ++y) {
       if (reach[y].first >= band.last || reach[y].last <= band.first) continue;
@@ -119,80 +123,98 @@ void FrameGeneration::State::Splat(const GenerationJob& job) {
   });
 }
 
-void FrameGeneration::State::FindMotion(const GenerationJob& job, const Band& band,
-                                        BandBuffers& buffers) const {
+inline void FrameGeneration::State::FindMotion(const GenerationJob& job, const Band& band,
+                                               BandBuffers& buffers) const {
   const MutableMotionView from0 = band.Motion(buffers.from0), from1 = band.Motion(buffers.from1);
-  for (int y = band.first; y < band.last; ++y) {
-    kernels.target_motion(job, {Forward(), Keys()}, y, from0, from1);
+  if (!Splats(options)) {
+    for (int y = band.first; y < band.last; ++y) {
+      kernels.forward(job, y, from1);
+      kernels.own_motion(job, y, from0, from1);
+    }
+    return;
   }
+  std::vector<std::uint8_t>& disoccluded = buffers.disoccluded;
+  std::fill(disoccluded.begin(), disoccluded.end(), std::uint8_t{0});
+  for (int y = band.first; y < band.last; ++y) {
+    kernels.target_motion(job, {Forward(), Keys()}, y, from0, from1, disoccluded.data());
+  }
+  for (const std::uint8_t tile : disoccluded) buffers.tiles.disoccluded += tile;
 }
 
-void FrameGeneration::State::WarpBand(const ImageView& color, const MotionView& motion,
-                                      const Band& band, const MutableImageView& to) const {
-  if (options.reference) {
+inline void FrameGeneration::State::WarpBand(const ImageView& color, const MotionView& motion,
+                                             const Band& band, BandBuffers& buffers,
+                                             const MutableImageView& to) const {
+  if (IsReference(options)) {
     WarpReferencePixels({color, motion, options.warp, to}, {0, band.first, to.width, band.last});
   } else {
-    WarpRows(color, motion, options.warp, band.first, band.last, to);
+    buffers.tiles.warped += WarpRows(color, motion, options.warp, band.first, band.last, to);
   }
+  if (Choose(kWarpedFrameFormat, to.format) == PixelFormat::kRgba8) return;
   for (int y = band.first; y < band.last; ++y) RepairRow(color, motion, options.warp, y, to);
 }
 
-void FrameGeneration::State::BlendBand(const GenerationJob& job, const WarpedFrames& warped,
-                                       const Band& band, const MutableImageView& out) const {
+inline void FrameGeneration::State::BlendBand(const GenerationJob& job, const WarpedFrames& warped,
+                                              const Band& band, const MutableImageView& out) const {
   for (int y = band.first; y < band.last; ++y) kernels.blend(job, warped, y, out);
 }
 
-void FrameGeneration::State::WarpDisplay(const GenerationJob& job, const ImageView& color0,
-                                         const ImageView& color1, const MutableImageView& out) {
-  ForEachBand(kBandRows, [&](const Band& band, BandBuffers& buffers) {
+inline void FrameGeneration::State::WarpDisplay(const GenerationJob& job, const ImageView& color0,
+                                                const ImageView& color1,
+                                                const MutableImageView& out) {
+  ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
     FindMotion(job, band, buffers);
     const MutableMotionView from0 = band.Motion(buffers.from0), from1 = band.Motion(buffers.from1);
     const MutableImageView warped0 = band.Image(buffers.color0, color0.format, options.width);
     const MutableImageView warped1 = band.Image(buffers.color1, color1.format, options.width);
-    if (job.interpolates) WarpBand(color0, from0, band, warped0);
-    WarpBand(color1, from1, band, warped1);
+    if (job.Interpolates()) WarpBand(color0, from0, band, buffers, warped0);
+    WarpBand(color1, from1, band, buffers, warped1);
     BlendBand(job, {warped0, warped1, from0, from1}, band, out);
   });
 }
 
 // One frame after the other is tone-mapped and warped; the output keeps what came of frame 1 in between.
-void FrameGeneration::State::WarpHdr(const GenerationJob& job, const ImageView& color0,
-                                     const ImageView& color1, const MutableImageView& out) {
+inline void FrameGeneration::State::WarpHdr(const GenerationJob& job, const ImageView& color0,
+                                            const ImageView& color1, const MutableImageView& out) {
   constexpr PixelFormat kFormat = PixelFormat::kRgba32F;
   const auto map = [&](const ImageView& color) {
-    ForEachBand(kBandRows, [&](const Band& band, BandBuffers&) {
+    ForBands(kBandRows, [&](const Band& band, BandBuffers&) {
       ToneMapRows(color, band.first, band.last, mapped);
     });
   };
   map(color1);
-  ForEachBand(kBandRows, [&](const Band& band, BandBuffers& buffers) {
+  ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
     FindMotion(job, band, buffers);
     const MutableImageView warped1 = band.Image(buffers.color1, kFormat, options.width);
-    WarpBand(mapped, band.Motion(buffers.from1), band, warped1);
+    WarpBand(mapped, band.Motion(buffers.from1), band, buffers, warped1);
     InverseToneMapRows(warped1, band.first, band.last, out);
   });
-  if (!job.interpolates) return;
+  if (!job.Interpolates()) return;
   map(color0);
-  ForEachBand(kBandRows, [&](const Band& band, BandBuffers& buffers) {
+  for (BandBuffers& worker : bands) worker.tiles.disoccluded = 0;  // they are found again
+  ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
     FindMotion(job, band, buffers);
     const MutableMotionView from0 = band.Motion(buffers.from0), from1 = band.Motion(buffers.from1);
     const MutableImageView warped0 = band.Image(buffers.color0, kFormat, options.width);
     const MutableImageView warped1 = band.Image(buffers.color1, kFormat, options.width);
-    WarpBand(mapped, from0, band, warped0);
+    WarpBand(mapped, from0, band, buffers, warped0);
     ToneMapRows(out, band.first, band.last, warped1);
     BlendBand(job, {warped0, warped1, from0, from1}, band, warped1);
     InverseToneMapRows(warped1, band.first, band.last, out);
   });
 }
 
-void FrameGeneration::State::Generate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
-                                      float alpha, bool interpolates, const MutableImageView& out) {
-  const bool motion0_counts = options.motion_model == MotionModel::kQuadratic && !frame0.cut;
+inline void FrameGeneration::State::Generate(const DisplayedFrame& frame0,
+                                             const DisplayedFrame& frame1, float alpha,
+                                             bool interpolates, const MutableImageView& out) {
+  const bool motion0_counts = ModelOf(options) == MotionModel::kQuadratic && !frame0.cut;
   GenerationJob job{options,      interpolates, alpha,         motion0_counts,
                     frame0.depth, frame1.depth, frame0.motion, frame1.motion};
+  for (BandBuffers& worker : bands) worker.tiles = {};
+  tiles =
+      std::int64_t{TileCount(options.width, kTileWidth)} * TileCount(options.height, kTileHeight);
   FilterMotion(job);
-  Splat(job);
-  if (options.encoding == ColorEncoding::kLinearHdr) {
+  if (Splats(options)) Splat(job);
+  if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
     WarpHdr(job, frame0.color, frame1.color, out);
   } else {
     WarpDisplay(job, frame0.color, frame1.color, out);
@@ -200,9 +222,11 @@ void FrameGeneration::State::Generate(const DisplayedFrame& frame0, const Displa
 }
 
 // `color` as it is, in the format of `out`.
-void FrameGeneration::State::Show(const ImageView& color, const MutableImageView& out) {
-  ForEachBand(kBandRows, [&](const Band& band, BandBuffers& buffers) {
-    if (options.encoding == ColorEncoding::kLinearHdr) {
+inline void FrameGeneration::State::Show(const ImageView& color, const MutableImageView& out) {
+  for (BandBuffers& worker : bands) worker.tiles = {};
+  tiles = 0;
+  ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
+    if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
       const MutableImageView rows =
           band.Image(buffers.color1, PixelFormat::kRgba32F, options.width);
       ToneMapRows(color, band.first, band.last, rows);
@@ -217,26 +241,31 @@ void FrameGeneration::State::Show(const ImageView& color, const MutableImageView
   });
 }
 
-FrameGeneration::FrameGeneration(const FrameGenerationOptions& options, Executor& executor)
-    : state_(std::make_unique<State>(options, executor)) {}
+FrameGeneration::FrameGeneration(const FrameGenerationOptions& options, Executor& executor) {
+  if constexpr (kContainsGeneration) state_ = std::make_unique<State>(options, executor);
+}
 
 FrameGeneration::~FrameGeneration() = default;
 
 void FrameGeneration::Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
                                   float alpha, const MutableImageView& out) {
-  if (frame1.cut) {
-    state_->Show(alpha < 0.5f ? frame0.color : frame1.color, out);
-  } else {
-    state_->Generate(frame0, frame1, alpha, true, out);
+  if constexpr (kPipeline.interpolation) {
+    if (frame1.cut) {
+      state_->Show(alpha < 0.5f ? frame0.color : frame1.color, out);
+    } else {
+      state_->Generate(frame0, frame1, alpha, true, out);
+    }
   }
 }
 
 void FrameGeneration::Extrapolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
                                   float alpha, const MutableImageView& out) {
-  if (frame1.cut) {
-    state_->Show(frame1.color, out);
-  } else {
-    state_->Generate(frame0, frame1, alpha, false, out);
+  if constexpr (kPipeline.extrapolation) {
+    if (frame1.cut) {
+      state_->Show(frame1.color, out);
+    } else {
+      state_->Generate(frame0, frame1, alpha, false, out);
+    }
   }
 }
 
@@ -249,6 +278,13 @@ bool FrameGeneration::IsGenerable(const DisplayedFrame& frame0, const DisplayedF
 void FrameGeneration::SetParameters(const Parameters& parameters, float gate_width) {
   state_->options.parameters = parameters;
   state_->options.gate_width = gate_width;
+}
+
+FrameTiles FrameGeneration::Tiles() const {
+  FrameTiles tiles;
+  tiles.total = state_->tiles;
+  for (const BandBuffers& band : state_->bands) tiles += band.tiles;
+  return tiles;
 }
 
 std::size_t FrameGeneration::MemoryBytes() const {

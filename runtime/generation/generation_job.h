@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "runtime/chosen.h"
 #include "runtime/frame_generation.h"
 #include "runtime/generation/splat_key.h"
 #include "runtime/image_buffer.h"
@@ -39,6 +40,15 @@ struct GenerationJob {
   bool motion0_counts;  // frame 0 is no cut and its motion is read
   ImageView depth0, depth1;
   MotionView motion0, motion1;
+
+  // The two as the build contains them.
+  bool Interpolates() const {
+    return kPipeline.interpolation && (interpolates || !kPipeline.extrapolation);
+  }
+  bool CountsMotion0() const {
+    return warplut::Contains(kPipeline.generation.motion_model, MotionModel::kQuadratic) &&
+           motion0_counts;
+  }
 
   int width() const { return options.width; }
   int height() const { return options.height; }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/gates-inl.h"
 #include "runtime/generation/row_kernels.h"
 #include "runtime/warp_simd-inl.h"
 
@@ -19,8 +20,6 @@ namespace HWY_NAMESPACE {
 
 using namespace warplut::HWY_NAMESPACE;
 
-using Floats = hn::Vec<FloatTag>;
-using Ints = hn::Vec<IntTag>;
 using FloatMask = hn::Mask<FloatTag>;
 
 inline constexpr int kPixels = 64;  // pixels of a row that go through each step together
@@ -46,25 +45,6 @@ HWY_INLINE Floats CleanDepths(Floats depth) {
   return hn::IfThenElse(valid, hn::Abs(depth), farthest);
 }
 
-// DepthDifference.
-HWY_INLINE Floats DepthDifferences(DepthMeasure measure, Floats a, Floats b) {
-  const FloatTag d;
-  if (measure == DepthMeasure::kNone) return hn::Zero(d);
-  const auto difference = hn::Sub(a, b);
-  if (measure == DepthMeasure::kAbsolute) return difference;
-  return hn::Div(difference, hn::Max(hn::Min(a, b), hn::Set(d, 1e-12f)));
-}
-
-// Gate.
-HWY_INLINE Floats Gates(Floats x, float threshold, float width) {
-  const FloatTag d;
-  const auto one = hn::Set(d, 1.0f);
-  const float half = threshold * width;
-  if (!(half > 0.0f)) return hn::IfThenElseZero(hn::Le(x, hn::Set(d, threshold)), one);
-  const auto share = hn::Div(hn::Sub(hn::Set(d, threshold + half), x), hn::Set(d, half + half));
-  return hn::IfThenElseZero(hn::Gt(share, hn::Zero(d)), hn::Min(share, one));
-}
-
 // NearestPixel of kLanes pixels of row y from x on; `inside` tells where it is one, the others are 0.
 struct NearestPixels {
   Ints x, y;
@@ -85,12 +65,6 @@ HWY_INLINE NearestPixels FindNearest(const GenerationJob& job, Floats x, float y
   const auto inside = hn::And(inside_x, inside_y);
   return {hn::ConvertTo(di, hn::IfThenElseZero(inside, fx)),
           hn::ConvertTo(di, hn::IfThenElseZero(inside, fy)), inside};
-}
-
-// first, first + 1, ...; hn::Iota fills its lanes one by one unless `first` is a constant.
-HWY_INLINE Ints Numbers(int first) {
-  const IntTag d;
-  return hn::Add(hn::Set(d, first), hn::Iota(d, 0));
 }
 
 // Pixels that are two runs, each of neighbours in a row, as they are nearly always where motion changes little: they are read and
@@ -165,8 +139,6 @@ HWY_INLINE void GatherPixels(const MotionView& motion, Ints x, Ints y, const Two
     to_y[i] = from[1];
   }
 }
-
-HWY_INLINE Floats PixelNumbers(int first) { return hn::ConvertTo(FloatTag(), Numbers(first)); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace warplut::generation

@@ -19,7 +19,10 @@ RowKernels Kernels() {
 #if HWY_TARGET == HWY_SCALAR
   return ReferenceRowKernels();
 #else
-  return {ForwardRow, SplatRow, TargetMotionRow, BlendRow};
+  constexpr bool kSplats = Contains(kPipeline.generation.splat, true);
+  constexpr bool kTakesOwn = Contains(kPipeline.generation.splat, false);
+  return {ForwardRow, kSplats ? SplatRow : nullptr, kSplats ? TargetMotionRow : nullptr,
+          kTakesOwn ? OwnMotionRow : nullptr, BlendRow};
 #endif
 }
 
@@ -33,7 +36,8 @@ namespace warplut::generation {
 HWY_EXPORT(Kernels);
 
 RowKernels ReferenceRowKernels() {
-  return {ForwardRowReference, SplatRowReference, TargetMotionRowReference, BlendRowReference};
+  return {ForwardRowReference, SplatRowReference, TargetMotionRowReference, OwnMotionRowReference,
+          BlendRowReference};
 }
 
 RowKernels FastRowKernels() { return HWY_DYNAMIC_DISPATCH(Kernels)(); }

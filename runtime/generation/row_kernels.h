@@ -17,14 +17,19 @@ struct RowKernels {
   // Adds what of row y of frame 1 arrives at `target` rows to the keys of these.
   void (*splat)(const GenerationJob& job, const MotionView& forward, int y, RowRange target,
                 const KeyView& keys);
-  // Writes row y of the target motion; from0 is left alone if the job extrapolates.
+  // Writes row y of the target motion; from0 is left alone if the job extrapolates. Marks the tiles with filled pixels.
   void (*target_motion)(const GenerationJob& job, const Arrivals& arrivals, int y,
-                        const MutableMotionView& from0, const MutableMotionView& from1);
+                        const MutableMotionView& from0, const MutableMotionView& from1,
+                        std::uint8_t* disoccluded);
+  // The same without splatting, from the forward displacements in from1.
+  void (*own_motion)(const GenerationJob& job, int y, const MutableMotionView& from0,
+                     const MutableMotionView& from1);
   // Writes row y of the output.
   void (*blend)(const GenerationJob& job, const WarpedFrames& warped, int y,
                 const MutableImageView& out);
 };
 
+// Null for passes that the build does not contain.
 RowKernels ReferenceRowKernels();
 RowKernels FastRowKernels();
 

@@ -29,7 +29,7 @@ struct DisplacementFactors {
   explicit DisplacementFactors(const GenerationJob& job)
       : first(0.5f * job.alpha),
         second(0.5f * job.alpha * job.alpha),
-        interpolates(job.interpolates) {}
+        interpolates(job.Interpolates()) {}
 
   HWY_INLINE Floats At(Floats m1, Floats m0) const {
     const FloatTag d;
@@ -40,7 +40,7 @@ struct DisplacementFactors {
   }
 };
 
-RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& forward) {
+inline RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& forward) {
   const FloatTag d;
   const DisplacementFactors factors(job);
   const float fy = static_cast<float>(y);
@@ -53,7 +53,7 @@ RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& fo
     const float* motion =
         Padded(job.motion1.Row(y) + 2 * x0, 2 * count, 2 * kPixels, padded_motion);
     const float* depth = Padded(job.depth1.Row<float>(y) + x0, count, kPixels, padded_depth);
-    if (job.motion0_counts) {
+    if (job.CountsMotion0()) {
       for (int i = 0; i < kPixels; i += kLanes) {
         Floats mx, my;
         hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
@@ -67,15 +67,14 @@ RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionView& fo
     for (int i = 0; i < kPixels; i += kLanes) {
       Floats mx, my;
       hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
-      const auto x = PixelNumbers(x0 + i);
       auto m0x = mx, m0y = my;
-      if (job.motion0_counts) {
+      if (job.CountsMotion0()) {
         const auto gx = hn::Load(d, frame0.motion_x + i);
         const auto gy = hn::Load(d, frame0.motion_y + i);
         const auto was_inside = hn::Gt(hn::Load(d, frame0.inside + i), hn::Zero(d));
         const auto counts = hn::And(was_inside, hn::And(IsFiniteVector(gx), IsFiniteVector(gy)));
         const auto difference =
-            DepthDifferences(job.options.depth, CleanDepths(hn::Load(d, frame0.depth + i)),
+            DepthDifferences(DepthOf(job.options), CleanDepths(hn::Load(d, frame0.depth + i)),
                              CleanDepths(hn::LoadU(d, depth + i)));
         const auto gate = Gates(hn::Abs(difference), job.depth_threshold(), job.options.gate_width);
         m0x = hn::IfThenElse(counts, hn::Add(mx, hn::Mul(gate, hn::Sub(gx, mx))), mx);
@@ -117,8 +116,8 @@ HWY_INLINE void KeepNearest(FloatMask arrives, Floats depth, std::uint32_t first
                         hn::IfThenElse(nearer, bits, kept_depth), du, halves);
 }
 
-void SplatRow(const GenerationJob& job, const MotionView& forward, int y, RowRange target,
-              const KeyView& keys) {
+inline void SplatRow(const GenerationJob& job, const MotionView& forward, int y, RowRange target,
+                     const KeyView& keys) {
   const FloatTag d;
   const IntTag di;
   const float fy = static_cast<float>(y);

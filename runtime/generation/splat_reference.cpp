@@ -13,13 +13,13 @@ Vector ForwardDisplacement(const GenerationJob& job, int x, int y) {
   }
   Vector m0 = m1;
   const PixelIndex p0 = NearestPixel(job, x, y, {-m1.x, -m1.y});
-  if (job.motion0_counts && p0.x >= 0 && IsFinite(MotionAt(job.motion0, p0.x, p0.y))) {
-    const float difference = DepthDifference(job.options.depth, DepthAt(job.depth0, p0.x, p0.y),
+  if (job.CountsMotion0() && p0.x >= 0 && IsFinite(MotionAt(job.motion0, p0.x, p0.y))) {
+    const float difference = DepthDifference(DepthOf(job.options), DepthAt(job.depth0, p0.x, p0.y),
                                              DepthAt(job.depth1, x, y));
     const float gate = Gate(std::abs(difference), job.depth_threshold(), job.options.gate_width);
     m0 = m1 + gate * (MotionAt(job.motion0, p0.x, p0.y) - m1);
   }
-  if (job.interpolates) {
+  if (job.Interpolates()) {
     return {InterpolatedDisplacement(m1.x, m0.x, job.alpha),
             InterpolatedDisplacement(m1.y, m0.y, job.alpha)};
   }

@@ -29,7 +29,7 @@ HWY_INLINE FloatMask NeedSearch(const GenerationJob& job, const KeyView& keys,
   const FloatTag d;
   const auto center = SplatDepths(keys.Row(y) + x);
   const auto none = hn::Set(d, kNoArrivalDepth);
-  if (!job.options.refine) return hn::Eq(center, none);
+  if (!Refines(job.options)) return hn::Eq(center, none);
   const SplatKey* rows[3] = {keys.Row(std::max(y - 1, 0)) + x, keys.Row(y) + x,
                              keys.Row(std::min(y + 1, job.height() - 1)) + x};
   const auto absolute = hn::Set(d, tolerance.absolute);
@@ -115,19 +115,24 @@ class SourceReader {
   std::uint32_t row_start_ = 0;
 };
 
-void TargetMotionRow(const GenerationJob& job, const Arrivals& arrivals, int y,
-                     const MutableMotionView& from0, const MutableMotionView& from1) {
+inline void TargetMotionRow(const GenerationJob& job, const Arrivals& arrivals, int y,
+                            const MutableMotionView& from0, const MutableMotionView& from1,
+                            std::uint8_t* disoccluded) {
   const FloatTag d;
   const DepthTolerance tolerance(job);
   const SplatKey* keys = arrivals.keys.Row(y);
   SourceReader reader(job, arrivals);
-  float* to0 = job.interpolates ? from0.Row(y) : nullptr;
+  float* to0 = job.Interpolates() ? from0.Row(y) : nullptr;
   float* to1 = from1.Row(y);
   const auto set = [&](int x, const TargetMotion& motion) {
-    if (job.interpolates) SetMotion(from0, x, y, motion.from0);
+    if (job.Interpolates()) SetMotion(from0, x, y, motion.from0);
     SetMotion(from1, x, y, motion.from1);
   };
-  const auto search = [&](int x) { set(x, TargetMotionAt(job, arrivals, x, y)); };
+  const auto search = [&](int x) {
+    const TargetMotion motion = TargetMotionAt(job, arrivals, x, y);
+    set(x, motion);
+    if (motion.filled) disoccluded[x / kTileWidth] = 1;
+  };
   int x = 0;
   search(x++);
   for (; x + kLanes < job.width(); x += kLanes) {
@@ -146,6 +151,33 @@ void TargetMotionRow(const GenerationJob& job, const Arrivals& arrivals, int y,
     }
   }
   for (; x < job.width(); ++x) search(x);
+}
+
+// OwnMotionRowReference.
+inline void OwnMotionRow(const GenerationJob& job, int y, const MutableMotionView& from0,
+                         const MutableMotionView& from1) {
+  const FloatTag d;
+  alignas(64) float padded_motion[2 * kPixels], padded_own[2 * kPixels];
+  for (int x0 = 0; x0 < job.width(); x0 += kPixels) {
+    const int count = std::min(kPixels, job.width() - x0);
+    const auto bytes = sizeof(float) * 2 * static_cast<std::size_t>(count);
+    const float* own = Padded(from1.Row(y) + 2 * x0, 2 * count, 2 * kPixels, padded_own);
+    const float* motion =
+        Padded(job.motion1.Row(y) + 2 * x0, 2 * count, 2 * kPixels, padded_motion);
+    alignas(64) float to0[2 * kPixels], to1[2 * kPixels];
+    for (int i = 0; i < kPixels; i += kLanes) {
+      Floats dx, dy, mx, my;
+      hn::LoadInterleaved2(d, own + 2 * i, dx, dy);
+      hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
+      const auto moves = hn::And(IsFiniteVector(dx), IsFiniteVector(dy));
+      hn::StoreInterleaved2(hn::IfThenElseZero(moves, dx), hn::IfThenElseZero(moves, dy), d,
+                            to1 + 2 * i);
+      hn::StoreInterleaved2(hn::IfThenElseZero(moves, hn::Add(dx, mx)),
+                            hn::IfThenElseZero(moves, hn::Add(dy, my)), d, to0 + 2 * i);
+    }
+    std::memcpy(from1.Row(y) + 2 * x0, to1, bytes);
+    if (job.Interpolates()) std::memcpy(from0.Row(y) + 2 * x0, to0, bytes);
+  }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -60,7 +60,7 @@ struct Finder {
       }
     }
     const float share = 1.0f / count;
-    *motion = {share * sum.from0, share * sum.from1};
+    *motion = {share * sum.from0, share * sum.from1, true};
     return true;
   }
 
@@ -85,11 +85,11 @@ struct Finder {
   }
 
   TargetMotion Disocclusion(int x, int y) const {
-    if (job.interpolates || job.options.fill == DisocclusionFill::kBackground) {
+    if (job.Interpolates() || FillOf(job.options) == DisocclusionFill::kBackground) {
       return Background(x, y);
     }
     const Vector own = MotionAt(arrivals.forward, x, y);
-    const bool moves = job.options.fill == DisocclusionFill::kOwnMotion && IsFinite(own);
+    const bool moves = FillOf(job.options) == DisocclusionFill::kOwnMotion && IsFinite(own);
     return {{}, moves ? own : Vector{}};
   }
 };
@@ -99,18 +99,12 @@ struct Finder {
 TargetMotion TargetMotionAt(const GenerationJob& job, const Arrivals& arrivals, int x, int y) {
   const Finder finder{job, arrivals, DepthTolerance(job)};
   TargetMotion motion;
-  if (job.options.refine && finder.Gap(x, y, &motion)) return motion;
+  if (Refines(job.options) && finder.Gap(x, y, &motion)) return motion;
   const SplatKey key = arrivals.keys.Row(y)[x];
-  return key != kNoSplat ? finder.Arrived(key) : finder.Disocclusion(x, y);
-}
-
-void TargetMotionRowReference(const GenerationJob& job, const Arrivals& arrivals, int y,
-                              const MutableMotionView& from0, const MutableMotionView& from1) {
-  for (int x = 0; x < job.width(); ++x) {
-    const TargetMotion motion = TargetMotionAt(job, arrivals, x, y);
-    if (job.interpolates) SetMotion(from0, x, y, motion.from0);
-    SetMotion(from1, x, y, motion.from1);
-  }
+  if (key != kNoSplat) return finder.Arrived(key);
+  motion = finder.Disocclusion(x, y);
+  motion.filled = true;
+  return motion;
 }
 
 }  // namespace warplut::generation

@@ -19,6 +19,7 @@ namespace warplut::generation {
 struct TargetMotion {
   Vector from0;
   Vector from1;
+  bool filled = false;  // it is not that of a pixel that arrived here
 };
 
 // What arrived: the results of the first two passes. Rows of `forward` follow each other without padding.
@@ -32,10 +33,10 @@ struct DepthTolerance {
   float absolute, relative;
 
   explicit DepthTolerance(const GenerationJob& job)
-      : absolute(job.options.depth == DepthMeasure::kNone       ? 2 * kFarthestDepth
-                 : job.options.depth == DepthMeasure::kAbsolute ? job.depth_threshold()
-                                                                : 0.0f),
-        relative(job.options.depth == DepthMeasure::kRelative ? job.depth_threshold() : 0.0f) {}
+      : absolute(DepthOf(job.options) == DepthMeasure::kNone       ? 2 * kFarthestDepth
+                 : DepthOf(job.options) == DepthMeasure::kAbsolute ? job.depth_threshold()
+                                                                   : 0.0f),
+        relative(DepthOf(job.options) == DepthMeasure::kRelative ? job.depth_threshold() : 0.0f) {}
 
   bool Alike(float a, float b) const {
     return std::abs(a - b) <= absolute + relative * std::max(std::min(a, b), 1e-12f);
@@ -44,7 +45,14 @@ struct DepthTolerance {
 
 TargetMotion TargetMotionAt(const GenerationJob& job, const Arrivals& arrivals, int x, int y);
 
+// `disoccluded` has one entry per tile column: 1 is written where a pixel of the row is filled.
 void TargetMotionRowReference(const GenerationJob& job, const Arrivals& arrivals, int y,
-                              const MutableMotionView& from0, const MutableMotionView& from1);
+                              const MutableMotionView& from0, const MutableMotionView& from1,
+                              std::uint8_t* disoccluded);
+
+// Without splatting: the pixel at the same place of frame 1 is taken to arrive. `from1` holds the forward displacements of row y; where
+// one is not finite nothing moves.
+void OwnMotionRowReference(const GenerationJob& job, int y, const MutableMotionView& from0,
+                           const MutableMotionView& from1);
 
 }  // namespace warplut::generation

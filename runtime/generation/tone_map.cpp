@@ -1,6 +1,5 @@
 #include "runtime/generation/tone_map.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "runtime/color_encoding.h"
@@ -10,7 +9,7 @@
 namespace warplut::generation {
 
 void ToneMapRows(const ImageView& linear, int first, int last, const MutableImageView& to) {
-  const float scale = linear.format == PixelFormat::kRgba8 ? 1.0f / 255.0f : 1.0f;
+  const float scale = 1.0f / ChannelScale(linear.format);
   for (int y = first; y < last; ++y) {
     float* out = to.Row<float>(y);
     for (int x = 0; x < linear.width; ++x, out += 4) {
@@ -19,8 +18,7 @@ void ToneMapRows(const ImageView& linear, int first, int last, const MutableImag
         const float value = LoadChannel(linear.format, pixel, i) * scale;
         out[i] = value > 0.0f && value <= std::numeric_limits<float>::max() ? value : 0.0f;
       }
-      const float factor = ToneMapFactor(std::max({out[0], out[1], out[2]}));
-      for (int i = 0; i < 3; ++i) out[i] *= factor;
+      ToneMap(out);
       out[3] = 1.0f;
     }
   }
@@ -30,8 +28,7 @@ void InverseToneMapRows(const ImageView& mapped, int first, int last, const Muta
   for (int y = first; y < last; ++y) {
     for (int x = 0; x < mapped.width; ++x) {
       Rgb color = LoadRgb(mapped.format, mapped.At(x, y));
-      const float factor = InverseToneMapFactor(std::max({color.c[0], color.c[1], color.c[2]}));
-      for (float& c : color.c) c *= factor;
+      InverseToneMap(color.c);
       StoreRgb(color, to.format, to.At(x, y));
     }
   }

@@ -6,7 +6,6 @@
 #define WARPLUT_RUNTIME_SR_COLOR_INL_H_
 #endif
 
-#include "runtime/sr/band.h"
 #include "runtime/sr/geometry-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -64,33 +63,45 @@ HWY_INLINE void LoadMotion(const float* from, int count, Floats& x, Floats& y) {
   hn::LoadInterleaved2(d, whole, x, y);
 }
 
-void FillPlanes(const RenderedFrame& frame, const MotionView& motion, ColorEncoding encoding,
-                int begin, int end, RenderPlanes& planes) {
+HWY_INLINE void FillColorRow(const SuperResolutionOptions& options, const ImageView& color, int y,
+                             RenderPlanes& planes) {
+  const FloatTag d;
+  for (int x = 0; x < color.width; x += kLanes) {
+    Pixels p = LoadPixels(color, x, y, color.width - x);
+    EncodePixels(EncodingOf(options), p);
+    hn::Store(p.r, d, planes.color[0].Row(y) + x);
+    hn::Store(p.g, d, planes.color[1].Row(y) + x);
+    hn::Store(p.b, d, planes.color[2].Row(y) + x);
+  }
+  for (Plane& plane : planes.color) plane.ExtendRow(y);
+}
+
+HWY_INLINE void FillMotionRow(const ImageView& depth, const MotionView& motion, int y,
+                              RenderPlanes& planes) {
   const FloatTag d;
   const auto farthest = hn::Set(d, kFarthestDepth);
   const auto largest = hn::Set(d, std::numeric_limits<float>::max());
   const auto none = hn::Set(d, std::numeric_limits<float>::quiet_NaN());
+  for (int x = 0; x < depth.width; x += kLanes) {
+    const int left = depth.width - x;
+    const auto z = LoadSome(depth.Row<float>(y) + x, left);
+    const auto known = hn::And(hn::Ge(z, hn::Zero(d)), hn::Lt(z, farthest));
+    hn::Store(hn::IfThenElse(known, z, farthest), d, planes.depth.Row(y) + x);
+    Floats mx, my;
+    LoadMotion(motion.Row(y) + 2 * x, left, mx, my);
+    const auto finite = hn::And(hn::Le(hn::Abs(mx), largest), hn::Le(hn::Abs(my), largest));
+    hn::Store(hn::IfThenElse(finite, mx, none), d, planes.motion_x.Row(y) + x);
+    hn::Store(hn::IfThenElse(finite, my, none), d, planes.motion_y.Row(y) + x);
+  }
+  for (Plane* plane : {&planes.depth, &planes.motion_x, &planes.motion_y}) plane->ExtendRow(y);
+}
+
+inline void FillPlanes(const SuperResolutionOptions& options, const RenderedFrame& frame,
+                       const MotionView& motion, int begin, int end, RenderPlanes& planes) {
+  const ImageView color = InFormat(kPipeline.sr.color_format, frame.color);
   for (int y = begin; y < end; ++y) {
-    for (int x = 0; x < frame.color.width; x += kLanes) {
-      const int left = frame.color.width - x;
-      Pixels p = LoadPixels(frame.color, x, y, left);
-      EncodePixels(encoding, p);
-      hn::Store(p.r, d, planes.color[0].Row(y) + x);
-      hn::Store(p.g, d, planes.color[1].Row(y) + x);
-      hn::Store(p.b, d, planes.color[2].Row(y) + x);
-      const auto z = LoadSome(frame.depth.Row<float>(y) + x, left);
-      const auto known = hn::And(hn::Ge(z, hn::Zero(d)), hn::Lt(z, farthest));
-      hn::Store(hn::IfThenElse(known, z, farthest), d, planes.depth.Row(y) + x);
-      Floats mx, my;
-      LoadMotion(motion.Row(y) + 2 * x, left, mx, my);
-      const auto finite = hn::And(hn::Le(hn::Abs(mx), largest), hn::Le(hn::Abs(my), largest));
-      hn::Store(hn::IfThenElse(finite, mx, none), d, planes.motion_x.Row(y) + x);
-      hn::Store(hn::IfThenElse(finite, my, none), d, planes.motion_y.Row(y) + x);
-    }
-    for (Plane* plane : {&planes.color[0], &planes.color[1], &planes.color[2], &planes.depth,
-                         &planes.motion_x, &planes.motion_y}) {
-      plane->ExtendRow(y);
-    }
+    FillColorRow(options, color, y, planes);
+    if (ReadsMotion(options)) FillMotionRow(frame.depth, motion, y, planes);
   }
 }
 
@@ -131,7 +142,7 @@ class ColorBoxes {
     if (found_[set] == j) return;
     found_[set] = j;
     for (int c = 0; c < 3; ++c) {
-      if (job_.options.clamp == ColorClamp::kBox) {
+      if (ClampOf(job_.options) == ColorClamp::kBox) {
         Extremes(job_.planes.color[c], j, Row(set, c), Row(set, 3 + c));
       } else {
         Spread(job_.planes.color[c], j, Row(set, c), Row(set, 3 + c));
@@ -213,9 +224,9 @@ HWY_INLINE TapVectors TapsOf(CurrentFrame current, Floats t) {
 }
 
 // CurrentFrameAt for kLanes pixels.
-HWY_NOINLINE Pixels CurrentPixels(const SrJob& job, int x, int y) {
+HWY_NOINLINE inline Pixels CurrentPixels(const SrJob& job, int x, int y) {
   const FloatTag d;
-  const CurrentFrame current = job.options.current;
+  const CurrentFrame current = CurrentOf(job.options);
   const TapVectors wx = TapsOf(current, hn::LoadU(d, job.x.fraction() + x));
   const TapVectors wy = TapsOf(current, hn::Set(d, job.y.fraction()[y]));
   const int j = job.y.cell()[y];
@@ -238,20 +249,26 @@ HWY_NOINLINE Pixels CurrentPixels(const SrJob& job, int x, int y) {
   return {Limit(color[0]), Limit(color[1]), Limit(color[2]), hn::Zero(d)};
 }
 
-void PredictRow(const SrJob& job, int y, const float* validity, ColorBoxes& boxes) {
+// `validity` is that of the row, or null where all of the history is valid; marks the tiles where some is not.
+inline void PredictRow(const SrJob& job, int y, const float* validity, ColorBoxes& boxes,
+                       std::uint8_t* disoccluded) {
   const FloatTag d;
   const auto one = hn::Set(d, 1.0f);
   const auto zero = hn::Zero(d);
-  const bool clamped = job.options.clamp != ColorClamp::kNone;
-  if (clamped && job.has_history) boxes.MoveTo(y);
+  const MutableImageView next = InFormat(kPipeline.sr.history_format, job.next);
+  const bool clamped = ClampOf(job.options) != ColorClamp::kNone;
+  if (clamped && job.HasHistory()) boxes.MoveTo(y);
   for (int x = 0; x < job.x.output(); x += kLanes) {
     const int left = job.x.output() - x;
-    const auto valid = job.has_history ? hn::Load(d, validity + x) : zero;
+    const auto valid = !job.HasHistory()     ? zero
+                       : validity == nullptr ? one
+                                             : hn::Load(d, validity + x);
     const bool some = !hn::AllTrue(d, hn::Le(valid, zero));
-    const bool all = hn::AllTrue(d, hn::Ge(valid, one));
+    const auto beyond = hn::Not(hn::FirstN(d, static_cast<std::size_t>(std::min(left, kLanes))));
+    const bool all = hn::AllTrue(d, hn::Or(hn::Ge(valid, one), beyond));
     Pixels p{zero, zero, zero, valid};
     if (some) {
-      p = LoadPixels(job.next, x, y, left);
+      p = LoadPixels(next, x, y, left);
       if (clamped) {
         const Columns cell(job.x.cell(), x);
         const auto t = hn::LoadU(d, job.x.fraction() + x);
@@ -264,36 +281,47 @@ void PredictRow(const SrJob& job, int y, const float* validity, ColorBoxes& boxe
       p.a = valid;
     }
     if (!all) {
+      disoccluded[x / kTileWidth] = 1;
       const Pixels current = CurrentPixels(job, x, y);
       const auto full = hn::Ge(valid, one);
       p.r = hn::IfThenElse(full, p.r, Mix(current.r, p.r, valid));
       p.g = hn::IfThenElse(full, p.g, Mix(current.g, p.g, valid));
       p.b = hn::IfThenElse(full, p.b, Mix(current.b, p.b, valid));
     }
-    StorePixels(p, job.next, x, y, left);
+    StorePixels(p, next, x, y, left);
   }
 }
 
-void Predict(const SrJob& job, int begin, int end, SrScratch& scratch) {
-  if (job.has_history) {
-    GeometryRowMaker geometry(job, scratch.render_rows);
-    float* depth = scratch.output_rows.Row(0);
-    float* motion_x = scratch.output_rows.Row(1);
-    float* motion_y = scratch.output_rows.Row(2);
-    const MutableMotionView motion = BandMotion(scratch.motion, begin);
-    for (int y = begin; y < end; ++y) {
-      geometry.Make(y, depth, motion_x, motion_y);
-      ValidityRow(job, y, depth, motion_x, motion_y, scratch.validity.Row(y - begin));
-      StoreMotion(motion_x, motion_y, job.x.output(), motion.Row(y));
-    }
-    WarpRows(job.history, motion, job.options.warp, begin, end, job.next);
+// Motion and validity of a band, and its history warped.
+HWY_INLINE void WarpBand(const SrJob& job, const Band& band, SrScratch& scratch) {
+  GeometryRowMaker geometry(job, scratch.render_rows);
+  float* depth = scratch.output_rows.Row(0);
+  float* motion_x = scratch.output_rows.Row(1);
+  float* motion_y = scratch.output_rows.Row(2);
+  const MutableMotionView motion = band.Motion(scratch.motion);
+  for (int y = band.first; y < band.last; ++y) {
+    geometry.Make(y, depth, motion_x, motion_y);
+    ValidityRow(job, y, depth, motion_x, motion_y, scratch.validity.Row(y - band.first));
+    StoreMotion(motion_x, motion_y, job.x.output(), motion.Row(y));
   }
+  scratch.tiles.warped +=
+      WarpRows(job.history, motion, job.options.warp, band.first, band.last, job.next);
+}
+
+inline void Predict(const SrJob& job, int begin, int end, SrScratch& scratch) {
+  const bool warps = WarpsHistory(job.options);
+  // What `next` holds of the frame before is the prediction already: values in [0, 1], alpha 1.
+  if (job.HasHistory() && !warps && ClampOf(job.options) == ColorClamp::kNone) return;
+  if (job.HasHistory() && warps) WarpBand(job, {begin, end}, scratch);
   ColorBoxes boxes(job, scratch.render_rows, GeometryRowMaker::kRows);
-  for (int y = begin; y < end; ++y) PredictRow(job, y, scratch.validity.Row(y - begin), boxes);
+  for (int y = begin; y < end; ++y) {
+    PredictRow(job, y, warps ? scratch.validity.Row(y - begin) : nullptr, boxes,
+               scratch.disoccluded.data());
+  }
 }
 
-void Geometry(const SrJob& job, int begin, int end, SrScratch& scratch,
-              const MutableImageView& depth, const MutableMotionView& motion) {
+inline void Geometry(const SrJob& job, int begin, int end, SrScratch& scratch,
+                     const MutableImageView& depth, const MutableMotionView& motion) {
   GeometryRowMaker maker(job, scratch.render_rows);
   float* motion_x = scratch.output_rows.Row(1);
   float* motion_y = scratch.output_rows.Row(2);

@@ -18,7 +18,13 @@ const SrPasses& PassesOfTarget() {
 #if HWY_TARGET == HWY_SCALAR
   return ReferencePasses();  // without vectors the formulas are the kernels
 #else
-  static constexpr SrPasses kPasses = {FillPlanes, Geometry, Predict, Residual, Update, DepthRange};
+  constexpr bool kResidual =
+      kContainsHistory && Contains(kPipeline.sr.form, HistoryForm::kResidual);
+  constexpr bool kDepthGate = kContainsHistory && kPipeline.sr.depth != DepthMeasure::kNone &&
+                              kPipeline.sr.motion != MotionUpsampling::kStatic;
+  static constexpr SrPasses kPasses = {FillPlanes, Geometry,
+                                       Predict,    kResidual ? Residual : nullptr,
+                                       Update,     kDepthGate ? DepthRange : nullptr};
   return kPasses;
 #endif
 }

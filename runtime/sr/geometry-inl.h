@@ -6,6 +6,7 @@
 #define WARPLUT_RUNTIME_SR_GEOMETRY_INL_H_
 #endif
 
+#include "runtime/gates-inl.h"
 #include "runtime/sr/passes.h"
 #include "runtime/sr/pixels-inl.h"
 #include "runtime/sr/reference.h"
@@ -74,7 +75,7 @@ class GeometryRowMaker {
                        float* HWY_RESTRICT motion_y) {
     const RenderPlanes& planes = job_.planes;
     const int j = job_.y.nearest()[y];
-    switch (job_.options.motion) {
+    switch (MotionOf(job_.options)) {
       case MotionUpsampling::kNearest:
         TakeNearest(planes.depth.Row(j), planes.motion_x.Row(j), planes.motion_y.Row(j), depth,
                     motion_x, motion_y);
@@ -86,6 +87,9 @@ class GeometryRowMaker {
       case MotionUpsampling::kEdgeAware:
         FindNearest(j);
         TakeEdgeAware(y, depth, motion_x, motion_y);
+        break;
+      case MotionUpsampling::kStatic:
+        StandStill(depth, motion_x, motion_y);
         break;
     }
   }
@@ -110,6 +114,12 @@ class GeometryRowMaker {
       hn::Store(hn::Mul(nearest.At(mx), scale_x), d, motion_x + x);
       hn::Store(hn::Mul(nearest.At(my), scale_y), d, motion_y + x);
     }
+  }
+
+  HWY_INLINE void StandStill(float* depth, float* motion_x, float* motion_y) {
+    std::fill_n(depth, job_.x.output(), kFarthestDepth);
+    std::fill_n(motion_x, job_.x.output(), 0.0f);
+    std::fill_n(motion_y, job_.x.output(), 0.0f);
   }
 
   HWY_INLINE void TakeEdgeAware(int y, float* depth, float* motion_x, float* motion_y) {
@@ -160,15 +170,6 @@ HWY_INLINE Ints CellBefore(Floats p, const AxisMap& axis, float jitter) {
   return hn::ConvertTo(IntTag(), hn::Min(hn::Max(u, hn::Zero(d)), last));
 }
 
-HWY_INLINE Floats GateOf(Floats x, float threshold, float width) {
-  const FloatTag d;
-  const auto one = hn::Set(d, 1.0f);
-  const float half = threshold * width;
-  if (!(half > 0)) return hn::IfThenElseZero(hn::Le(x, hn::Set(d, threshold)), one);
-  const auto share = hn::Div(hn::Sub(hn::Set(d, threshold + half), x), hn::Set(d, half + half));
-  return Limit(share);
-}
-
 // ValidityReference for a row.
 HWY_INLINE void ValidityRow(const SrJob& job, int y, const float* HWY_RESTRICT depth,
                             const float* HWY_RESTRICT motion_x, const float* HWY_RESTRICT motion_y,
@@ -181,14 +182,15 @@ HWY_INLINE void ValidityRow(const SrJob& job, int y, const float* HWY_RESTRICT d
   const auto row = hn::Set(d, static_cast<float>(y) + 0.5f);
   const auto stride = hn::Set(di, job.nearest_before.stride());
   const SuperResolutionOptions& options = job.options;
+  const DepthMeasure measure = DepthOf(options);
   for (int x = 0; x < job.x.output(); x += kLanes) {
-    const auto column = hn::Add(hn::Iota(d, static_cast<float>(x)), hn::Set(d, 0.5f));
+    const auto column = hn::Add(PixelNumbers(x), hn::Set(d, 0.5f));
     const auto px = hn::Sub(column, hn::Load(d, motion_x + x));
     const auto py = hn::Sub(row, hn::Load(d, motion_y + x));
     const auto inside = hn::And(hn::And(hn::Ge(px, zero), hn::Le(px, width)),
                                 hn::And(hn::Ge(py, zero), hn::Le(py, height)));
     auto valid = hn::Set(d, 1.0f);
-    if (options.depth != DepthMeasure::kNone) {
+    if (measure != DepthMeasure::kNone) {
       const auto i = CellBefore(hn::IfThenElseZero(inside, px), job.x, job.jitter_x_before);
       const auto j = CellBefore(hn::IfThenElseZero(inside, py), job.y, job.jitter_y_before);
       const auto index = hn::Add(hn::Mul(j, stride), i);
@@ -196,11 +198,8 @@ HWY_INLINE void ValidityRow(const SrJob& job, int y, const float* HWY_RESTRICT d
       const auto farthest = hn::GatherIndex(d, job.farthest_before.Row(0), index);
       const auto z = hn::Load(d, depth + x);
       const auto before = hn::Min(hn::Max(z, nearest), farthest);
-      auto difference = hn::Abs(hn::Sub(z, before));
-      if (options.depth == DepthMeasure::kRelative) {
-        difference = hn::Div(difference, hn::Max(hn::Min(z, before), hn::Set(d, 1e-12f)));
-      }
-      valid = GateOf(difference, options.parameters.sr_depth_threshold, options.gate_width);
+      valid = Gates(hn::Abs(DepthDifferences(measure, z, before)),
+                    options.parameters.sr_depth_threshold, options.gate_width);
     }
     hn::Store(hn::IfThenElseZero(inside, valid), d, validity + x);
   }
@@ -220,7 +219,7 @@ HWY_INLINE void StoreMotion(const float* HWY_RESTRICT motion_x, const float* HWY
   }
 }
 
-void DepthRange(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest) {
+inline void DepthRange(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest) {
   const FloatTag d;
   for (int j = begin; j < end; ++j) {
     float* low = nearest.Row(j);

@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "runtime/band.h"
+#include "runtime/chosen.h"
 #include "runtime/image_buffer.h"
 #include "runtime/sr/axis_map.h"
 #include "runtime/sr/plane.h"
@@ -25,9 +28,12 @@ struct SrJob {
   float jitter_x_before, jitter_y_before;
 
   bool has_history;
-  ImageView history;      // of the frame before
+  ImageView
+      history;  // of the frame before; where the history is not warped it is already in `next`
   MutableImageView next;  // first the predicted colour, then the new history
   const Plane* residual;  // R, G, B: sample minus prediction
+
+  bool HasHistory() const { return KeepsHistory(options) && has_history; }
 };
 
 // What one worker may write beside its rows; allocated once.
@@ -35,24 +41,22 @@ struct SrScratch {
   explicit SrScratch(const SuperResolutionOptions& options);
   std::size_t bytes() const;
 
-  MotionBuffer motion;  // of a band of output rows
+  MotionBuffer motion;  // of a band of output rows, where the history is warped
   Plane validity;       // of the same rows, in [0, 1]
   Plane render_rows;    // kRenderRows rows on the render grid
-  Plane output_rows;    // kOutputRows rows on the output grid
+  Plane output_rows;    // kOutputRows rows on the output grid, where motion is read
+  // Per tile of a band: 1 where some history is not valid. predict sets it.
+  std::vector<std::uint8_t> disoccluded;
+  FrameTiles tiles;  // of the bands that this worker took
 
   static constexpr int kRenderRows = 25;
   static constexpr int kOutputRows = 3;
 };
 
-// Output rows of a band: a whole number of motion tiles.
-inline constexpr int kBandRows = 16;
-// Render rows of a band.
-inline constexpr int kRenderBandRows = 16;
-
 struct SrPasses {
-  // Rows [begin, end) of the planes, borders included.
-  void (*fill_planes)(const RenderedFrame& frame, const MotionView& motion, ColorEncoding encoding,
-                      int begin, int end, RenderPlanes& planes);
+  // Rows [begin, end) of the planes, borders included; depth and motion where they are read.
+  void (*fill_planes)(const SuperResolutionOptions& options, const RenderedFrame& frame,
+                      const MotionView& motion, int begin, int end, RenderPlanes& planes);
   // Output rows [begin, end): depth, and motion in output pixels (NaN where there is none).
   void (*geometry)(const SrJob& job, int begin, int end, SrScratch& scratch,
                    const MutableImageView& depth, const MutableMotionView& motion);
@@ -67,7 +71,7 @@ struct SrPasses {
   void (*depth_range)(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest);
 };
 
-// Slow and obvious, one pixel after the other.
+// Slow and obvious, one pixel after the other. Not to be called where the build does not contain them.
 const SrPasses& ReferencePasses();
 
 // The same on vectors, for the processor at hand.

@@ -14,8 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace warplut {
 namespace HWY_NAMESPACE {
 
-using Floats = hn::Vec<FloatTag>;
-using Ints = hn::Vec<IntTag>;
 using WordTag = hn::RebindToUnsigned<FloatTag>;
 using Words = hn::Vec<WordTag>;
 
@@ -64,7 +62,7 @@ HWY_INLINE Pixels LoadWhole(PixelFormat format, const void* from) {
   if (format == PixelFormat::kRgba8) {
     const auto code = hn::LoadU(dw, words);
     const auto byte = hn::Set(dw, 0xFFu);
-    const auto unit = hn::Set(d, 1.0f / 255.0f);
+    const auto unit = hn::Set(d, 1.0f / ChannelScale(format));
     const auto value = [&](Words shifted) HWY_ATTR {
       return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, hn::And(shifted, byte))), unit);
     };
@@ -86,7 +84,7 @@ HWY_INLINE void StoreWhole(PixelFormat format, const Pixels& p, void* to) {
     const auto ba = hn::Or(ToHalfBits(p.b), hn::ShiftLeft<16>(ToHalfBits(p.a)));
     hn::StoreInterleaved2(rg, ba, dw, words);
   } else if (format == PixelFormat::kRgba8) {
-    const auto white = hn::Set(d, 255.0f);
+    const auto white = hn::Set(d, ChannelScale(format));
     const auto code = [&](Floats v) HWY_ATTR {
       const auto rounded = hn::Add(hn::Mul(v, white), hn::Set(d, 0.5f));
       const auto limited = hn::Min(hn::Max(rounded, hn::Zero(d)), white);

@@ -64,8 +64,8 @@ ColorBox ColorBoxAt(const SrJob& job, int x, int y);
 // The current frame alone at the centre of output pixel (x, y), in [0, 1].
 Rgb CurrentFrameAt(const SrJob& job, int x, int y);
 
-void FillPlanesReference(const RenderedFrame& frame, const MotionView& motion,
-                         ColorEncoding encoding, int begin, int end, RenderPlanes& planes);
+void FillPlanesReference(const SuperResolutionOptions& options, const RenderedFrame& frame,
+                         const MotionView& motion, int begin, int end, RenderPlanes& planes);
 void GeometryReference(const SrJob& job, int begin, int end, SrScratch& scratch,
                        const MutableImageView& depth, const MutableMotionView& motion);
 void PredictReference(const SrJob& job, int begin, int end, SrScratch& scratch);

@@ -3,27 +3,28 @@
 #include <cmath>
 
 #include "runtime/pixel.h"
-#include "runtime/sr/band.h"
 #include "runtime/sr/reference.h"
 #include "runtime/warp_kernels.h"
 
 namespace warplut {
 namespace {
 
-// What a channel of a format is worth at 1.
-float White(PixelFormat format) { return format == PixelFormat::kRgba8 ? 255.0f : 1.0f; }
-
 float Load(const ImageView& image, int x, int y, int c) {
-  return LoadChannel(image.format, image.At(x, y), c) / White(image.format);
+  return LoadChannel(image.format, image.At(x, y), c) / ChannelScale(image.format);
 }
 
 void Store(const MutableImageView& image, int x, int y, int c, float value) {
-  StoreChannel(image.format, value * White(image.format), image.At(x, y), c);
+  StoreChannel(image.format, value * ChannelScale(image.format), image.At(x, y), c);
 }
 
 std::array<float, 4> TapWeights(CurrentFrame current, float fraction) {
   return current == CurrentFrame::kBilinear ? BilinearTaps(fraction)
                                             : KeysTaps(static_cast<float>(kCatmullRomA), fraction);
+}
+
+void SetMotion(const MutableMotionView& motion, int x, int y, float mx, float my) {
+  motion.Row(y)[2 * x] = mx;
+  motion.Row(y)[2 * x + 1] = my;
 }
 
 float Limit(float value) { return std::clamp(value, 0.0f, 1.0f); }
@@ -94,14 +95,18 @@ Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, flo
 
 }  // namespace
 
-void FillPlanesReference(const RenderedFrame& frame, const MotionView& motion,
-                         ColorEncoding encoding, int begin, int end, RenderPlanes& planes) {
+void FillPlanesReference(const SuperResolutionOptions& options, const RenderedFrame& frame,
+                         const MotionView& motion, int begin, int end, RenderPlanes& planes) {
   for (int y = begin; y < end; ++y) {
     for (int x = 0; x < frame.color.width; ++x) {
       float rgb[3] = {Load(frame.color, x, y, 0), Load(frame.color, x, y, 1),
                       Load(frame.color, x, y, 2)};
-      EncodeColor(encoding, rgb);
+      EncodeColor(EncodingOf(options), rgb);
       for (int c = 0; c < 3; ++c) planes.color[c].Row(y)[x] = rgb[c];
+    }
+    for (Plane& plane : planes.color) plane.ExtendRow(y);
+    if (!ReadsMotion(options)) continue;
+    for (int x = 0; x < frame.color.width; ++x) {
       planes.depth.Row(y)[x] = SanitizeDepth(frame.depth.Row<float>(y)[x]);
       const float* m = motion.Row(y) + 2 * x;
       const bool finite = IsFiniteMotion(m[0], m[1]);
@@ -109,10 +114,7 @@ void FillPlanesReference(const RenderedFrame& frame, const MotionView& motion,
       planes.motion_x.Row(y)[x] = finite ? m[0] : kNone;
       planes.motion_y.Row(y)[x] = finite ? m[1] : kNone;
     }
-    for (Plane* plane : {&planes.color[0], &planes.color[1], &planes.color[2], &planes.depth,
-                         &planes.motion_x, &planes.motion_y}) {
-      plane->ExtendRow(y);
-    }
+    for (Plane* plane : {&planes.depth, &planes.motion_x, &planes.motion_y}) plane->ExtendRow(y);
   }
 }
 
@@ -130,13 +132,13 @@ ColorBox SampleColorBox(const SrJob& job, int i, int j) {
         square += weight * s * s;
       }
     }
-    if (job.options.clamp == ColorClamp::kVariance) {
+    if (ClampOf(job.options) == ColorClamp::kVariance) {
       const float half =
           job.options.parameters.clamp_gamma * std::sqrt(std::max(square - mean * mean, 0.0f));
       low = mean - half;
       high = mean + half;
     }
-    const bool none = job.options.clamp == ColorClamp::kNone;
+    const bool none = ClampOf(job.options) == ColorClamp::kNone;
     box.low.c[c] = none ? 0.0f : Limit(low);
     box.high.c[c] = none ? 1.0f : Limit(high);
   }
@@ -164,8 +166,8 @@ ColorBox ColorBoxAt(const SrJob& job, int x, int y) {
 }
 
 Rgb CurrentFrameAt(const SrJob& job, int x, int y) {
-  const auto wx = TapWeights(job.options.current, job.x.fraction()[x]);
-  const auto wy = TapWeights(job.options.current, job.y.fraction()[y]);
+  const auto wx = TapWeights(CurrentOf(job.options), job.x.fraction()[x]);
+  const auto wy = TapWeights(CurrentOf(job.options), job.y.fraction()[y]);
   const int i = job.x.cell()[x];
   const int j = job.y.cell()[y];
   Rgb color{};
@@ -180,23 +182,25 @@ Rgb CurrentFrameAt(const SrJob& job, int x, int y) {
 }
 
 void PredictReference(const SrJob& job, int begin, int end, SrScratch& scratch) {
-  const MutableMotionView motion = BandMotion(scratch.motion, begin);
   for (int y = begin; y < end; ++y) {
     for (int x = 0; x < job.x.output(); ++x) {
       const Surface surface = SurfaceAt(job, x, y);
-      float* m = motion.Row(y) + 2 * x;
-      m[0] = surface.motion_x * job.x.scale();
-      m[1] = surface.motion_y * job.y.scale();
-      scratch.validity.Row(y - begin)[x] = ValidityReference(job, x, y, surface.depth, m[0], m[1]);
+      const float mx = surface.motion_x * job.x.scale();
+      const float my = surface.motion_y * job.y.scale();
+      scratch.validity.Row(y - begin)[x] = ValidityReference(job, x, y, surface.depth, mx, my);
+      if (WarpsHistory(job.options))
+        SetMotion(Band{begin, end}.Motion(scratch.motion), x, y, mx, my);
     }
   }
-  if (job.has_history) {
-    WarpReferencePixels({job.history, motion, job.options.warp, job.next},
-                        {0, begin, job.x.output(), end});
+  if (job.HasHistory() && WarpsHistory(job.options)) {
+    WarpReferencePixels(
+        {job.history, Band{begin, end}.Motion(scratch.motion), job.options.warp, job.next},
+        {0, begin, job.x.output(), end});
   }
   for (int y = begin; y < end; ++y) {
     for (int x = 0; x < job.x.output(); ++x) {
       const float validity = scratch.validity.Row(y - begin)[x];
+      if (validity < 1) scratch.disoccluded[static_cast<std::size_t>(x / kTileWidth)] = 1;
       const Rgb current = CurrentFrameAt(job, x, y);
       const ColorBox box = ColorBoxAt(job, x, y);
       for (int c = 0; c < 3; ++c) {
@@ -244,14 +248,15 @@ void UpdateReference(const SrJob& job, int begin, int end, SrScratch&,
   for (int y = begin; y < end; ++y) {
     for (int x = 0; x < job.x.output(); ++x) {
       Rgb q = {{Load(job.next, x, y, 0), Load(job.next, x, y, 1), Load(job.next, x, y, 2)}};
-      if (job.options.history) {
+      if (KeepsHistory(job.options)) {
         const float validity = Load(job.next, x, y, 3);
-        q = job.options.form == HistoryForm::kSample ? UpdateFromSamples(job, x, y, q, validity)
-                                                     : UpdateFromResidual(job, x, y, q, validity);
+        q = FormOf(job.options) == HistoryForm::kSample
+                ? UpdateFromSamples(job, x, y, q, validity)
+                : UpdateFromResidual(job, x, y, q, validity);
       }
       for (float& channel : q.c) channel = Limit(channel);
       for (int c = 0; c < 3; ++c) Store(job.next, x, y, c, q.c[c]);
-      DecodeColor(job.options.encoding, q.c);
+      DecodeColor(EncodingOf(job.options), q.c);
       for (int c = 0; c < 3; ++c) Store(out, x, y, c, q.c[c]);
       Store(out, x, y, 3, 1.0f);
     }

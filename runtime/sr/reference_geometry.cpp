@@ -46,11 +46,13 @@ Surface SurfaceAt(const SrJob& job, int x, int y) {
   const RenderPlanes& planes = job.planes;
   const int i = job.x.nearest()[x];
   const int j = job.y.nearest()[y];
-  switch (job.options.motion) {
+  switch (MotionOf(job.options)) {
     case MotionUpsampling::kNearest:
       return {planes.depth.Row(j)[i], planes.motion_x.Row(j)[i], planes.motion_y.Row(j)[i]};
     case MotionUpsampling::kDilated:
       return NearestSurface(planes, i, j);
+    case MotionUpsampling::kStatic:
+      return {kFarthestDepth, 0, 0};
     case MotionUpsampling::kEdgeAware:
       break;
   }
@@ -82,8 +84,8 @@ float ValidityReference(const SrJob& job, int x, int y, float depth, float motio
   const float py = static_cast<float>(y) + 0.5f - motion_y;
   const bool inside = px >= 0 && px <= static_cast<float>(job.x.output()) && py >= 0 &&
                       py <= static_cast<float>(job.y.output());
-  if (!job.has_history || !inside) return 0.0f;
-  if (job.options.depth == DepthMeasure::kNone) return 1.0f;
+  if (!job.HasHistory() || !inside) return 0.0f;
+  if (DepthOf(job.options) == DepthMeasure::kNone) return 1.0f;
   const auto cell = [](float p, const AxisMap& axis, float jitter) {
     const float u = p * axis.inverse_scale() - 0.5f - jitter;
     return static_cast<int>(std::clamp(u, 0.0f, static_cast<float>(axis.render() - 1)));
@@ -92,7 +94,7 @@ float ValidityReference(const SrJob& job, int x, int y, float depth, float motio
   const int j = cell(py, job.y, job.jitter_y_before);
   const float before =
       std::clamp(depth, job.nearest_before.Row(j)[i], job.farthest_before.Row(j)[i]);
-  return Gate(std::abs(DepthDifference(job.options.depth, depth, before)),
+  return Gate(std::abs(DepthDifference(DepthOf(job.options), depth, before)),
               job.options.parameters.sr_depth_threshold, job.options.gate_width);
 }
 

@@ -13,15 +13,16 @@ namespace warplut {
 
 struct RenderPlanes {
   RenderPlanes() = default;
-  RenderPlanes(int width, int height)
-      : color{{width, height}, {width, height}, {width, height}},
-        depth(width, height),
-        motion_x(width, height),
-        motion_y(width, height) {}
+  RenderPlanes(int width, int height, bool with_motion = true)
+      : color{{width, height}, {width, height}, {width, height}} {
+    if (!with_motion) return;
+    for (Plane* plane : {&depth, &motion_x, &motion_y}) *plane = Plane(width, height);
+  }
 
   std::size_t bytes() const { return 3 * color[0].bytes() + depth.bytes() + 2 * motion_x.bytes(); }
 
-  Plane color[3];            // R, G, B in [0, 1]; linear HDR is tone-mapped
+  Plane color[3];  // R, G, B in [0, 1]; linear HDR is tone-mapped
+  // Without rows where motion is not read.
   Plane depth;               // in [0, kFarthestDepth]
   Plane motion_x, motion_y;  // render pixels; NaN where either component is not finite
 };
@@ -44,17 +45,12 @@ inline void EncodeColor(ColorEncoding encoding, float (&rgb)[3]) {
     const float positive = std::max(finite, 0.0f);
     channel = encoding == ColorEncoding::kDisplay ? std::min(positive, 1.0f) : positive;
   }
-  if (encoding == ColorEncoding::kLinearHdr) {
-    const float factor = ToneMapFactor(std::max(rgb[0], std::max(rgb[1], rgb[2])));
-    for (float& channel : rgb) channel *= factor;
-  }
+  if (encoding == ColorEncoding::kLinearHdr) ToneMap(rgb);
 }
 
 // The way back, from [0, 1].
 inline void DecodeColor(ColorEncoding encoding, float (&rgb)[3]) {
-  if (encoding == ColorEncoding::kDisplay) return;
-  const float factor = InverseToneMapFactor(std::max(rgb[0], std::max(rgb[1], rgb[2])));
-  for (float& channel : rgb) channel *= factor;
+  if (encoding == ColorEncoding::kLinearHdr) InverseToneMap(rgb);
 }
 
 }  // namespace warplut

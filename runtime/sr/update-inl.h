@@ -14,11 +14,11 @@ namespace warplut {
 namespace HWY_NAMESPACE {
 
 // The prediction at a sample is a 4 x 4 window of it: what the warp sums.
-void Residual(const SrJob& job, int begin, int end, Plane* residual) {
+inline void Residual(const SrJob& job, int begin, int end, Plane* residual) {
   const FloatTag d;
-  const TapPolynomials taps{WarpOptions{}};  // Catmull-Rom
-  const ImageView predicted = job.next;
-  const float unit = predicted.format == PixelFormat::kRgba8 ? 1.0f / 255.0f : 1.0f;
+  const TapPolynomials taps(Filter::kCatmullRom);
+  const ImageView predicted = InFormat(kPipeline.sr.history_format, job.next);
+  const float unit = 1.0f / ChannelScale(predicted.format);
   const auto slack = hn::Set(d, ResidualSlack(predicted.format));
   PixelRow r;
   for (int j = begin; j < end; ++j) {
@@ -120,11 +120,14 @@ HWY_INLINE void BlendSamples(const SrJob& job, int x, int y, Pixels& p) {
   p.b = Mix(p.b, hn::Mul(sum.b, inverse), share);
 }
 
-void Update(const SrJob& job, int begin, int end, SrScratch& scratch, const MutableImageView& out) {
+inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
+                   const MutableImageView& out) {
   const FloatTag d;
   const SuperResolutionOptions& options = job.options;
-  const bool residual = options.history && options.form == HistoryForm::kResidual;
-  const bool samples = options.history && options.form == HistoryForm::kSample;
+  const MutableImageView next = InFormat(kPipeline.sr.history_format, job.next);
+  const MutableImageView shown = InFormat(kPipeline.sr.output_format, out);
+  const bool residual = HasResidual(options);
+  const bool samples = KeepsHistory(options) && !residual;
   for (int y = begin; y < end; ++y) {
     const int j = job.y.cell()[y];
     for (int c = 0; c < 3 && residual; ++c) {
@@ -133,13 +136,13 @@ void Update(const SrJob& job, int begin, int end, SrScratch& scratch, const Muta
     }
     for (int x = 0; x < job.x.output(); x += kLanes) {
       const int left = job.x.output() - x;
-      Pixels p = LoadPixels(job.next, x, y, left);
+      Pixels p = LoadPixels(next, x, y, left);
       if (residual) AddResidual(job, x, y, scratch.render_rows, p);
       if (samples) BlendSamples(job, x, y, p);
       p = {Limit(p.r), Limit(p.g), Limit(p.b), hn::Set(d, 1.0f)};
-      StorePixels(p, job.next, x, y, left);
-      DecodePixels(options.encoding, p);
-      StorePixels(p, out, x, y, left);
+      StorePixels(p, next, x, y, left);
+      DecodePixels(EncodingOf(options), p);
+      StorePixels(p, shown, x, y, left);
     }
   }
 }

@@ -1,11 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "datasets/file.h"
 #include "runtime/parameters.h"
@@ -19,9 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-constexpr int kUsage = 1;
-constexpr int kFailed = 2;
 
 class CalibrateCommand : public testing::Test {
  protected:
@@ -39,19 +34,14 @@ class CalibrateCommand : public testing::Test {
   static std::string Street() { return *scenes_ / "street"; }
   std::string Out() const { return Path("params.json"); }
 
-  // A command line; `more` comes last, and an option in it takes the place of one that is there already.
   std::vector<std::string> Arguments(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {"calibrate"};
-    for (const auto& [option, value] : {std::pair{"--sequence", Street()},
-                                        {"--filter", "catmull-rom"},
-                                        {"--starts", "0"},
-                                        {"--fit", "sr_depth_threshold,blend_a"},
-                                        {"--out", Out()}}) {
-      if (std::find(more.begin(), more.end(), option) != more.end()) continue;
-      arguments.insert(arguments.end(), {option, value});
-    }
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    return CommandLine({"calibrate"},
+                       {{"--sequence", Street()},
+                        {"--filter", "catmull-rom"},
+                        {"--starts", "0"},
+                        {"--fit", "sr_depth_threshold,blend_a"},
+                        {"--out", Out()}},
+                       more);
   }
 
   static std::unique_ptr<TemporaryFolder> scenes_;

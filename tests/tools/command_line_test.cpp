@@ -12,9 +12,6 @@
 namespace warplut {
 namespace {
 
-constexpr int kUsage = 1;
-constexpr int kFailed = 2;
-
 class CommandLine : public testing::Test {
  protected:
   std::string Path(const std::string& name) const { return folder_ / name; }

@@ -8,6 +8,7 @@
 #include "luts/quantize.h"
 #include "luts/real_table.h"
 #include "tests/datasets/temporary_folder.h"
+#include "tests/luts/test_fits.h"
 #include "tests/tools/program.h"
 #include "tests/tools/test_images.h"
 #include "tools/sr_cross.h"
@@ -17,21 +18,10 @@ namespace warplut {
 namespace {
 
 // A fit whose residual is zero: Catmull-Rom.
-Fit ZeroFit() {
-  Fit fit;
-  fit.name = "zero";
-  fit.objective = "sr";
-  fit.optimizer = "lbfgs";
-  fit.options = "{}";
-  fit.horizons = {6};
-  fit.parameters.assign(kMlpParameters, 0.0);
-  return fit;
-}
-
 class CrossCommand : public testing::Test {
  protected:
   CrossCommand() {
-    WriteFit(Path("zero.json"), ZeroFit());
+    WriteFit(Path("zero.json"), MakeFit(0, 1, "zero"));
     WriteWavyImage(Path("image.png"), 160, 140);
   }
   std::string Path(const std::string& name) const { return folder_ / name; }

@@ -7,6 +7,7 @@
 #include "datasets/file.h"
 #include "luts/fit.h"
 #include "tests/datasets/temporary_folder.h"
+#include "tests/luts/test_fits.h"
 #include "tests/tools/program.h"
 #include "tests/tools/test_images.h"
 
@@ -14,21 +15,10 @@ namespace warplut {
 namespace {
 
 // A fit whose residual is zero: Catmull-Rom.
-Fit ZeroFit() {
-  Fit fit;
-  fit.name = "zero";
-  fit.optimizer = "lbfgs";
-  fit.options = "{}";
-  fit.horizons = {6};
-  fit.parameters.assign(kMlpParameters, 0.0);
-  fit.data = {{.name = "none.png", .sha1 = std::string(40, '0'), .width = 64, .height = 64}};
-  return fit;
-}
-
 class EvalCommand : public testing::Test {
  protected:
   EvalCommand() {
-    WriteFit(Path("zero.json"), ZeroFit());
+    WriteFit(Path("zero.json"), MakeFit(0, 1, "zero"));
     WriteWavyImage(Path("image.png"), 80, 72);
   }
   std::string Path(const std::string& name) const { return folder_ / name; }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "datasets/hash.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
@@ -31,6 +33,9 @@ TEST(LoadImages, RefusesWhatIsNotADisplayImage) {
   bright.data[7] = 1.5f;
   WriteImage(folder / "bright.exr", bright, PixelType::kFloat);
   ExpectError([&] { LoadImages({folder / "bright.exr"}); }, {"bright.exr", "1.5", "[0, 1]"});
+  bright.data[7] = std::numeric_limits<float>::quiet_NaN();
+  WriteImage(folder / "unknown.exr", bright, PixelType::kFloat);
+  ExpectError([&] { LoadImages({folder / "unknown.exr"}); }, {"unknown.exr", "nan", "finite"});
   const std::string file = WriteWavyImage(folder / "a.png", 20, 10);
   ExpectError([&] { LoadImages({file, file}); }, {"a.png", "twice"});
 }

@@ -54,7 +54,7 @@ TEST(Pipeline, RefusesArgumentsThatMakeNoSense) {
 
 TEST(Pipeline, PutsTheArgumentsIntoOptions) {
   const PipelineArguments arguments = {
-      .filter = "keys:-0.58", .generated = 3, .motion_filter = true, .history = "rgba8"};
+      .filter = "keys:-0.58", .generated = 3, .motion_filter = "on", .history = "rgba8"};
   const Pipeline pipeline(arguments);
   EXPECT_EQ(pipeline.filter_name(), "keys:-0.58");
   const ModeRunOptions isr = pipeline.Options(MethodOf("isr"), 2);
@@ -65,8 +65,11 @@ TEST(Pipeline, PutsTheArgumentsIntoOptions) {
   EXPECT_FLOAT_EQ(isr.generation.warp.keys_a, -0.58f);
   EXPECT_EQ(isr.super_resolution.history_format, PixelFormat::kRgba8);
   EXPECT_TRUE(isr.super_resolution.motion_filter);
-  EXPECT_FALSE(isr.generation.motion_filter) << "its motion comes filtered";
   EXPECT_TRUE(pipeline.Options(MethodOf("i"), 1).generation.motion_filter);
+  EXPECT_FALSE(isr.filter_quantised_motion);
+  const Pipeline automatic({.filter = "bilinear", .motion_filter = "auto"});
+  EXPECT_TRUE(automatic.Options(MethodOf("sr"), 1).filter_quantised_motion);
+  EXPECT_FALSE(automatic.Options(MethodOf("sr"), 1).super_resolution.motion_filter);
   EXPECT_FALSE(pipeline.ScaleWarning(TenFrames())) << "a kernel fits any scale";
 }
 

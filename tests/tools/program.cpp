@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -97,6 +98,18 @@ ProgramResult RunProgram(const std::string& program, const std::vector<std::stri
 
 ProgramResult RunWarplut(const std::vector<std::string>& arguments, const ProgramSetup& setup) {
   return RunProgram(WARPLUT_PROGRAM, arguments, setup);
+}
+
+std::vector<std::string> CommandLine(
+    std::vector<std::string> command,
+    const std::vector<std::pair<std::string, std::string>>& defaults,
+    const std::vector<std::string>& more) {
+  for (const auto& [option, value] : defaults) {
+    if (std::find(more.begin(), more.end(), option) != more.end()) continue;
+    command.insert(command.end(), {option, value});
+  }
+  command.insert(command.end(), more.begin(), more.end());
+  return command;
 }
 
 void ExpectRefused(const ProgramResult& result, int code, const std::string& piece) {

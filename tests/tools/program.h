@@ -5,9 +5,15 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace warplut {
+
+// Exit codes of `warplut`, as its documents promise them.
+inline constexpr int kUsage = 1;
+inline constexpr int kFailed = 2;
+inline constexpr int kMissed = 3;
 
 struct ProgramResult {
   int code = 0;  // exit code, or 128 + signal
@@ -25,6 +31,12 @@ struct ProgramSetup {
 ProgramResult RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                          const ProgramSetup& setup = {});
 ProgramResult RunWarplut(const std::vector<std::string>& arguments, const ProgramSetup& setup = {});
+
+// `command`, then those of `defaults` (options with one value) that `more` does not name, then `more`.
+std::vector<std::string> CommandLine(
+    std::vector<std::string> command,
+    const std::vector<std::pair<std::string, std::string>>& defaults,
+    const std::vector<std::string>& more);
 
 // Expects the exit code, and exactly one sentence on standard error, "warplut: ...", that contains
 // `piece`.

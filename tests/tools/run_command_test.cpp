@@ -1,11 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <utility>
 
 #include "datasets/file.h"
 #include "datasets/image_io.h"
@@ -19,26 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-constexpr int kUsage = 1;
-constexpr int kFailed = 2;
-
 class RunCommand : public testing::Test {
  protected:
   RunCommand() { WritePan(folder_ / "pan"); }
   std::string Path(const std::string& name) const { return folder_ / name; }
 
-  // A command line; `more` comes last, and an option in it takes the place of one that is there already.
   std::vector<std::string> Arguments(const std::string& mode,
                                      const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {"run", "--mode", mode};
-    for (const auto& [option, value] : {std::pair{"--sequence", Path("pan")},
-                                        {"--filter", "catmull-rom"},
-                                        {"--out", Path("out")}}) {
-      if (std::find(more.begin(), more.end(), option) != more.end()) continue;
-      arguments.insert(arguments.end(), {option, value});
-    }
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    return CommandLine(
+        {"run", "--mode", mode},
+        {{"--sequence", Path("pan")}, {"--filter", "catmull-rom"}, {"--out", Path("out")}}, more);
   }
 
   std::set<std::string> Files(const std::string& name) const {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/train/noise_image.h"
+#include "train/noise_image.h"
 
 namespace warplut {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/train/noise_image.h"
+#include "train/noise_image.h"
 
 namespace warplut {
 namespace {

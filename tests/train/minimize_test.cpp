@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/train/noise_image.h"
+#include "train/mlp_objective.h"
+#include "train/noise_image.h"
 #include "train/warp_objective.h"
 
 namespace warplut {

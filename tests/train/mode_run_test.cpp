@@ -76,6 +76,21 @@ class ModeRunTest : public testing::Test {
   const TemporaryFolder folder_;
 };
 
+TEST_F(ModeRunTest, QuantisedMotionIsFilteredOnceIfAsked) {
+  Clip clip = Load();
+  EXPECT_FALSE(clip.quantised_motion);
+  clip.quantised_motion = true;
+  EXPECT_FALSE(EffectiveSuperResolution(clip, Options("sr")).motion_filter);
+  for (const bool quantised : {true, false}) {
+    clip.quantised_motion = quantised;
+    ModeRunOptions i = Options("i"), isr = Options("isr");
+    i.filter_quantised_motion = isr.filter_quantised_motion = true;
+    EXPECT_EQ(EffectiveGeneration(clip, i).motion_filter, quantised);
+    EXPECT_EQ(EffectiveSuperResolution(clip, isr).motion_filter, quantised);
+    EXPECT_FALSE(EffectiveGeneration(clip, isr).motion_filter) << "its motion comes filtered";
+  }
+}
+
 TEST_F(ModeRunTest, RepeatAndAverageAreWhatTheySay) {
   const Clip clip = Load(2);
   const auto repeated = Run(clip, Options("repeat", 2));

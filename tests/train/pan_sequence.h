@@ -18,6 +18,7 @@ struct PanOptions {
   ColorSpace color_space = ColorSpace::kSrgb;
   Streams streams = Streams::kAll;
   std::vector<int> cuts = {};
+  bool jitter = true;
 };
 
 class Pan {
@@ -75,12 +76,15 @@ inline Sequence WritePan(const std::filesystem::path& folder, const PanOptions& 
   Sequence sequence =
       StandardSequence("pan", options.first, options.frames, options.render, options.output,
                        options.color_space, options.streams, 0.1, 100);
-  sequence.jitter = JitterCycle(static_cast<double>(options.output.width) / options.render.width);
+  if (options.jitter) {
+    sequence.jitter = JitterCycle(static_cast<double>(options.output.width) / options.render.width);
+  }
   sequence.cuts = options.cuts;
   const SequenceWriter writer(folder, sequence);
   const Pan pan(options);
   for (int i = 0; i < options.frames; ++i) {
-    writer.Write(i, pan.At(i, sequence.jitter[static_cast<std::size_t>(i)]));
+    writer.Write(i,
+                 pan.At(i, options.jitter ? sequence.jitter[static_cast<std::size_t>(i)] : Vec2{}));
   }
   writer.Finish();
   return ReadSequence(folder);

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "tests/train/noise_image.h"
 #include "train/keys_search.h"
+#include "train/noise_image.h"
 
 namespace warplut {
 namespace {

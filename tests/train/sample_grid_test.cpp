@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "datasets/jitter.h"
-#include "tests/train/noise_image.h"
+#include "train/noise_image.h"
 
 namespace warplut {
 namespace {

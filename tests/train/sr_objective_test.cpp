@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "tests/train/noise_image.h"
 #include "train/keys_search.h"
+#include "train/noise_image.h"
 
 namespace warplut {
 namespace {

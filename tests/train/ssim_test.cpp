@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "tests/train/noise_image.h"
+#include "train/noise_image.h"
 
 namespace warplut {
 namespace {
@@ -83,6 +83,26 @@ TEST(Ssim, GradientEqualsDifferencesOfTheReference) {
     }
   }
   hwy::SetSupportedTargetsForTest(0);
+}
+
+// Flat places, where variances are nothing but rounding, next to the exact image.
+TEST(Ssim, FlatImagesLoseOnlyWhatTheyDifferBy) {
+  for (const float value : {0.0f, 1e-4f, 0.3f, 0.5f, 1.0f}) {
+    Image y(30, 20, 1);
+    std::fill(y.data.begin(), y.data.end(), value);
+    const Image x = Disturbed(y, 1e-6f, 4);
+    const double loss = 1 - Ssim(View(y)).Mean(View(x));
+    EXPECT_GE(loss, 0) << value;
+    EXPECT_NEAR(loss, 1 - SsimReference(View(x), View(y)), 1e-10) << value;
+    EXPECT_EQ(Ssim(View(y)).Mean(View(y)), 1) << value;
+  }
+}
+
+TEST(Ssim, EqualImagesHaveNoGradient) {
+  const Image image = NoiseImage(37, 24, 8);
+  std::vector<float> gradient(image.data.size(), 0.0f);
+  Ssim(View(image)).MeanAndGradient(View(image), 1.0f, gradient.data(), image.width);
+  for (const float g : gradient) EXPECT_EQ(g, 0);
 }
 
 TEST(Ssim, GradientLeavesWhatIsBesideTheImageAlone) {

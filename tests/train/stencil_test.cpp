@@ -4,7 +4,7 @@
 #include <hwy/targets.h>
 
 #include "luts/filters.h"
-#include "tests/train/noise_image.h"
+#include "train/noise_image.h"
 
 namespace warplut {
 namespace {

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "datasets/file.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
-#include "tests/train/noise_image.h"
 #include "train/crops.h"
+#include "train/noise_image.h"
 
 namespace warplut {
 namespace {
@@ -131,6 +135,18 @@ TEST(Trainer, RefusesBadDataAndForeignCheckpoints) {
   std::vector<TrainImage> images = Images();
   images[1].image = NoiseImage(kCropSize - 1, 200, 1);
   ExpectError([&] { Train(Small(), images); }, {"noise1.png", "127 x 200", "128 x 128"});
+  for (const float value : {std::numeric_limits<float>::quiet_NaN(), -0.01f, 40.0f}) {
+    images = Images();
+    images[0].image.at(5, 7) = value;
+    ExpectError([&] { Train(Small(), images); }, {"noise0.png", "(5, 7)", "[0, 1]"});
+  }
+  images = Images();
+  for (TrainImage& image : images) {
+    std::fill(image.image.data.begin(), image.image.data.end(), 0.25f);
+  }
+  ExpectError([&] { Train(Small(), images); }, {"one value", "expected"});
+  images[1].image.at(80, 70) = 0.5f;
+  EXPECT_TRUE(std::isfinite(Train(Small(), images).fit.loss.back().validation));
   TrainOptions bad = Small();
   bad.scale = 0.5;
   ExpectError([&] { Train(bad, Images()); }, {"scale"});

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "tests/train/noise_image.h"
+#include <cmath>
+#include <limits>
+
 #include "train/keys_search.h"
+#include "train/noise_image.h"
 
 namespace warplut {
 namespace {
@@ -67,6 +70,37 @@ TEST(WarpObjective, GradientEqualsDifferences) {
       EXPECT_NEAR(gradient[c][k], expected, 0.03 * std::abs(expected) + 2e-3) << c << " " << k;
     }
   }
+}
+
+TEST(WarpObjective, ConstantCropsHaveNoLossAndNoGradient) {
+  for (const float value : {0.0f, 0.3f, 1.0f}) {
+    Image flat(64, 64, 1);
+    std::fill(flat.data.begin(), flat.data.end(), value);
+    std::vector<BorderedPlane> crops;
+    crops.push_back(ToPlane(flat));
+    const WarpObjective objective(std::move(crops), {2, 6}, 5);
+    for (const double baseline : objective.baselines()) EXPECT_EQ(baseline, kLeastBaseline);
+    const CanonicalWeights<double> weights = KeysCanonicalWeights(-0.6);
+    CanonicalWeights<double> gradient{};
+    const double loss = objective.Evaluate(weights, &gradient);
+    EXPECT_GE(loss, 0);
+    EXPECT_LT(loss, 4e-5);
+    for (const auto& node : gradient) {
+      for (const double g : node) EXPECT_TRUE(std::isfinite(g));
+    }
+  }
+}
+
+// Far above the baselines, where the power of a ratio is no number.
+TEST(WarpObjective, LargeLossesHaveAFiniteValue) {
+  const WarpObjective objective = Make();
+  std::vector<double> losses = objective.baselines();
+  for (double& loss : losses) loss *= 1e200;
+  EXPECT_NEAR(objective.Value(losses) / 1e200, 1, 1e-9);
+  std::fill(losses.begin(), losses.end(), 0.0);
+  EXPECT_EQ(objective.Value(losses), 0);
+  losses[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(objective.Value(losses)));
 }
 
 TEST(WarpObjective, SameBitsForAnyNumberOfThreads) {

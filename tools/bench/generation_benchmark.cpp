@@ -8,8 +8,7 @@
 #include "datasets/error.h"
 #include "luts/baked/warplut_x2.h"
 #include "runtime/generation/row_kernels.h"
-#include "runtime/image_buffer.h"
-#include "runtime/pixel.h"
+#include "tools/bench/bench_scene.h"
 
 namespace warplut {
 namespace {
@@ -17,50 +16,7 @@ namespace {
 using namespace generation;
 
 constexpr float kAlpha = 0.5f;
-
-struct Size {
-  int width, height;
-};
-constexpr Size kSizes[] = {{1280, 720}, {1920, 1080}};
-
-// Waves behind a grid of discs that are nearer and move the other way.
-class Scene {
- public:
-  Scene(int width, int height, PixelFormat format, bool uniform)
-      : color_(width, height, format),
-        depth_(width, height, PixelFormat::kR32F),
-        motion_(width, height) {
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) FillPixel(x, y, uniform);
-    }
-  }
-
-  DisplayedFrame Frame() const { return {color_.view(), depth_.view(), motion_.view(), false}; }
-
- private:
-  void FillPixel(int x, int y, bool uniform) {
-    const auto fx = static_cast<float>(x);
-    const auto fy = static_cast<float>(y);
-    const MutableImageView color = color_.view();
-    const float scale = ChannelScale(color.format);
-    for (int c = 0; c < 4; ++c) {
-      const float wave = std::sin(0.31f * fx + 0.17f * fy + static_cast<float>(c)) +
-                         std::sin(1.3f * fx - 0.9f * fy);
-      StoreChannel(color.format, scale * (0.5f + 0.2f * wave), color.At(x, y), c);
-    }
-    const float across = std::remainder(fx, 160.0f);
-    const float down = std::remainder(fy, 160.0f);
-    const bool disc = across * across + down * down < 900;
-    depth_.view().Row<float>(y)[x] = disc ? 0.05f : 0.3f + 0.0005f * fy;
-    const float side = disc && !uniform ? -1.0f : 1.0f;
-    float* m = motion_.view().Row(y) + 2 * x;
-    m[0] = side * (uniform ? 3.37f : 5.3f * std::sin(0.003f * fx + 0.002f * fy));
-    m[1] = side * (uniform ? -1.61f : 4.1f * std::cos(0.002f * fx - 0.004f * fy));
-  }
-
-  ImageBuffer color_, depth_;
-  MotionBuffer motion_;
-};
+constexpr float kFlippedBound = 1;  // code values
 
 void Generate(FrameGeneration& generation, const DisplayedFrame& frame, bool interpolates,
               const MutableImageView& out) {
@@ -69,23 +25,6 @@ void Generate(FrameGeneration& generation, const DisplayedFrame& frame, bool int
   } else {
     generation.Extrapolate(frame, frame, kAlpha, out);
   }
-}
-
-// The share of pixels of which a channel differs by more than a code value.
-double FlippedShare(const ImageView& a, const ImageView& b) {
-  const float bound = a.format == PixelFormat::kRgba8 ? 1.0f : 1.0f / 255.0f;
-  std::int64_t flipped = 0;
-  for (int y = 0; y < a.height; ++y) {
-    for (int x = 0; x < a.width; ++x) {
-      float worst = 0;
-      for (int c = 0; c < 4; ++c) {
-        worst = std::max(worst, std::abs(LoadChannel(a.format, a.At(x, y), c) -
-                                         LoadChannel(b.format, b.At(x, y), c)));
-      }
-      flipped += worst > bound;
-    }
-  }
-  return static_cast<double>(flipped) / (static_cast<double>(a.width) * a.height);
 }
 
 // The passes but the warps, one after the other over the whole frame.
@@ -99,7 +38,8 @@ class Passes {
         forward_(static_cast<std::size_t>(2 * options.width) * options.height),
         keys_(static_cast<std::size_t>(options.width) * options.height),
         from0_(options.width, options.height),
-        from1_(options.width, options.height) {}
+        from1_(options.width, options.height),
+        disoccluded_(static_cast<std::size_t>(TileCount(options.width, kTileWidth))) {}
 
   void Time(const MutableImageView& out, std::vector<double> (&times)[4]) {
     const int height = options_.height;
@@ -115,7 +55,8 @@ class Passes {
     std::fill(keys_.begin(), keys_.end(), kNoSplat);
     times[1].push_back(rows([&](int y) { kernels_.splat(job_, forward, y, {0, height}, keys); }));
     times[2].push_back(rows([&](int y) {
-      kernels_.target_motion(job_, {forward, keys}, y, from0_.view(), from1_.view());
+      kernels_.target_motion(job_, {forward, keys}, y, from0_.view(), from1_.view(),
+                             disoccluded_.data());
     }));
     const WarpedFrames warped{color_, color_, from0_.view(), from1_.view()};
     times[3].push_back(rows([&](int y) { kernels_.blend(job_, warped, y, out); }));
@@ -129,17 +70,22 @@ class Passes {
   std::vector<float> forward_;
   std::vector<SplatKey> keys_;
   MotionBuffer from0_, from1_;
+  std::vector<std::uint8_t> disoccluded_;
 };
 
-GenerationBenchmarkRow Measure(const Size& size, PixelFormat format, const std::string& motion,
+GenerationBenchmarkRow Measure(const BenchSize& size, PixelFormat format, const std::string& motion,
                                bool interpolates, int repeats, const Table& table) {
   FrameGenerationOptions options;
   options.width = size.width;
   options.height = size.height;
   options.warp.filter = Filter::kLut;
   options.warp.table = &table;
-  const Scene scene(size.width, size.height, format, motion == "uniform");
-  const DisplayedFrame frame = scene.Frame();
+  const BenchScene scene({.width = size.width,
+                          .height = size.height,
+                          .format = format,
+                          .uniform = motion == "uniform",
+                          .discs_part = true});
+  const DisplayedFrame frame = scene.Displayed();
 
   SerialExecutor executor;
   ImageBuffer out(size.width, size.height, format), other(size.width, size.height, format);
@@ -157,7 +103,7 @@ GenerationBenchmarkRow Measure(const Size& size, PixelFormat format, const std::
   row.format = format;
   row.motion = motion;
   row.interpolates = interpolates;
-  row.flipped = FlippedShare(std::as_const(out).view(), std::as_const(other).view());
+  row.flipped = FlippedShare(std::as_const(out).view(), std::as_const(other).view(), kFlippedBound);
   row.memory = static_cast<double>(generation.MemoryBytes()) / (8.0 * size.width * size.height);
   if (row.flipped > 0) {
     throw Error(fmt::format(
@@ -203,9 +149,9 @@ std::vector<GenerationBenchmarkRow> RunGenerationBenchmark(
   if (!options.IsValid(&why)) throw Error("generation benchmark: " + why);
   const Table table(baked::kWarplutX2);
   std::vector<GenerationBenchmarkRow> rows;
-  for (const Size& size : kSizes) {
+  for (const BenchSize& size : kBenchSizes) {
     for (const PixelFormat format : {PixelFormat::kRgba8, PixelFormat::kRgba16F}) {
-      for (const std::string motion : {"smooth", "uniform"}) {
+      for (const std::string motion : kBenchMotions) {
         for (const bool interpolates : {true, false}) {
           rows.push_back(Measure(size, format, motion, interpolates, options.repeats, table));
         }
@@ -223,15 +169,14 @@ std::string FormatTable(const std::vector<GenerationBenchmarkRow>& rows) {
           "size", "format", "motion", "frame at", "frame", "warp", "ratio [min, max]", "target",
           "forward", "splat", "motion", "blend", "memory");
   for (const GenerationBenchmarkRow& row : rows) {
-    const std::string target =
-        row.target > 0 ? fmt::format("{:.1f}{}", row.target, row.met() ? "" : "!") : "";
     text += fmt::format(
         "{:<12} {:<8} {:<8} {:<12} {:>7.2f} {:>7.2f} {:>6.2f} [{:>4.2f}, {:>5.2f}] {:>7} {:>8.2f} "
         "{:>6.2f} {:>7.2f} {:>6.2f} {:>7.2f}\n",
         fmt::format("{} x {}", row.width, row.height), Name(row.format), row.motion,
         row.interpolates ? "alpha" : "1 + alpha", row.frame.median, row.warp.median,
-        row.ratio.median, row.ratio.min, row.ratio.max, target, row.forward.median,
-        row.splat.median, row.target_motion.median, row.blend.median, row.memory);
+        row.ratio.median, row.ratio.min, row.ratio.max, TargetText(row.target, row.met()),
+        row.forward.median, row.splat.median, row.target_motion.median, row.blend.median,
+        row.memory);
   }
   return text + "memory: in RGBA16F images.\n";
 }

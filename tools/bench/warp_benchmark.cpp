@@ -55,7 +55,7 @@ struct Motion {
 void FillImage(const Image& image) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> noise(-0.1f, 0.1f);
-  const float scale = image.view.format == PixelFormat::kRgba8 ? 255.0f : 1.0f;
+  const float scale = ChannelScale(image.view.format);
   for (int y = 0; y < image.view.height; ++y) {
     for (int x = 0; x < image.view.width; ++x) {
       for (int c = 0; c < Channels(image.view.format); ++c) {
@@ -114,7 +114,7 @@ Difference Compare(const Image& a, const Image& b) {
   Difference error;
   error.exact = a.bytes == b.bytes;
   const PixelFormat format = a.view.format;
-  const double codes = format == PixelFormat::kRgba8 ? 1 : 255;
+  const double codes = 255.0 / ChannelScale(format);
   for (int y = 0; y < a.view.height; ++y) {
     for (int i = 0; i < a.view.width * Channels(format); ++i) {
       const double difference =

@@ -18,9 +18,9 @@ struct ReportTable {
 // One series of points. `labels`, if not empty, name the points one by one; `low` and `high`, if not empty, are error bars in y.
 struct PlotSeries {
   std::string name;
-  std::vector<double> x, y;
-  std::vector<double> low, high;
-  std::vector<std::string> labels;
+  std::vector<double> x = {}, y = {};
+  std::vector<double> low = {}, high = {};
+  std::vector<std::string> labels = {};
   bool line = false;  // joins the points in their order
 };
 
@@ -44,12 +44,13 @@ struct ReportPicture {
 struct ReportSection {
   std::string id;  // the anchor
   std::string title;
-  std::vector<std::string> paragraphs;
-  std::vector<ReportPlot> plots;
-  std::vector<ReportTable> tables;
-  std::vector<ReportPicture> pictures;
-  std::vector<std::string> failures;  // what failed, was left out or missed its target, and why: one sentence each
-  std::string command;                // that reproduces the numbers
+  std::vector<std::string> paragraphs = {};
+  std::vector<ReportPlot> plots = {};
+  std::vector<ReportTable> tables = {};
+  std::vector<ReportPicture> pictures = {};
+  std::vector<std::string> failures =
+      {};  // what failed, was left out or missed its target, and why: one sentence each
+  std::string command = {};  // that reproduces the numbers
 };
 
 }  // namespace warplut

@@ -17,11 +17,11 @@ struct StabilityResult {
 };
 
 struct StabilityCase {
-  const char* group;  // "training", "gates", "gradients", "history", "runtime"
-  const char* name;   // unique in its group, letters, digits, blanks and hyphens
+  const char* group;     // "training", "gates", "gradients", "history", "runtime"
+  const char* name;      // unique in its group, letters, digits, blanks and -_,.
   const char* required;  // the behaviour, with its bound
   StabilityResult (*run)(StabilityEffort effort);
-  const char* failing = nullptr;  // not null: known to fail; a sentence that says what the product does there
+  const char* failing = nullptr;  // known to fail: what the product does there, in a sentence
 };
 
 // One function for each group.

@@ -65,10 +65,9 @@ class Calibration {
   double Work() const { return 2.0 + options_.random_starts + 0.5; }
 
   void Search() {
-    const double default_loss = Keep(options_.base);
-    const double paper_loss = Keep(kPaperParameters);
-    result_.default_loss = default_loss;
-    result_.paper_loss = paper_loss;
+    result_.default_loss = Keep(options_.base);
+    // Only to compare with: where not all parameters are fitted, it lies outside the space.
+    result_.paper_loss = LossOf(kPaperParameters);
     Descend("default", options_.base);
     Descend("paper", space_.ToParameters(space_.ToPoint(kPaperParameters)));
     for (int i = 0; i < options_.random_starts; ++i) {
@@ -80,9 +79,14 @@ class Calibration {
     Replace(PatternSearch(log_, space_, result_.best, kCoarsePatternStep, kLastPatternStep));
   }
 
-  // The loss of a candidate for the result; infinite once the log has stopped.
+  // Infinite once the log has stopped.
+  double LossOf(const Parameters& parameters) {
+    return log_.Loss(parameters).value_or(std::numeric_limits<double>::infinity());
+  }
+
+  // The loss of a candidate for the result.
   double Keep(const Parameters& parameters) {
-    const double loss = log_.Loss(parameters).value_or(std::numeric_limits<double>::infinity());
+    const double loss = LossOf(parameters);
     if (loss < result_.best.loss) result_.best = {parameters, loss};
     return loss;
   }
@@ -181,15 +185,20 @@ class Calibration {
     result_.best = better;
   }
 
-  // What the loss does not hang on gets the value of the base, if that is no worse to the last bit.
+  // What the loss does not hang on gets the value of the base, unless that is worse than a start.
   void DropWhatIsNotNeeded() {
+    double least_start = std::numeric_limits<double>::infinity();
+    for (const CalibrationStart& start : result_.starts) {
+      least_start = std::min(least_start, start.from.loss);
+    }
     for (const CalibratedParameter& parameter : result_.parameters) {
       if (!parameter.NotNeeded()) continue;
       Parameters plain = result_.best.parameters;
       const auto member = kParameters[parameter.parameter].member;
       plain.*member = options_.base.*member;
       const std::optional<double> loss = log_.Loss(plain);
-      if (loss && *loss <= result_.best.loss) Replace({plain, *loss});
+      const double limit = std::min(result_.best.loss + kFlatProfile, least_start);
+      if (loss && *loss <= limit) Replace({plain, *loss});
     }
   }
 

@@ -5,7 +5,8 @@
 //    if no threshold is fitted, on the hard gates at once. Where the result is no better than the start, the start stays.
 // 2. A search without derivatives on the hard gates, which never accepts more loss; coarse from each start, fine from the best end.
 // 3. The loss profile of each parameter; a better point in it is polished as well.
-// The best of all, by the loss on hard gates, is the result: never worse than any start, of which the paper's constants are one.
+// The best of all, by the loss on hard gates, is the result: never worse than any start, of which the paper's constants for what is
+// fitted are one. What is not needed keeps the value of the base.
 #pragma once
 
 #include <filesystem>

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
 #include "datasets/error.h"
+#include "train/judged_frames.h"
 
 namespace warplut {
 
@@ -18,10 +20,14 @@ class ClipLoss::Judge {
   Judge(ClipRun run, Executor& executor)
       : run_(std::move(run)), executor_(executor), grid_(CheckedGrid(run_)) {
     const Clip& clip = *run_.clip;
-    for (const int frame : JudgedFrames(run_)) {
-      references_.emplace(frame,
-                          LumaOf(clip.frames[static_cast<std::size_t>(frame)].reference.view(),
-                                 clip.encoding, executor_));
+    for (const int frame : JudgedFrames(clip, run_.options)) {
+      const ImageView reference = clip.frames[static_cast<std::size_t>(frame)].reference.view();
+      if (reference.width != clip.output.width) {
+        throw Error(fmt::format(
+            "the sequence '{}' has no stream 'reference', by which a calibration judges",
+            clip.name));
+      }
+      references_.emplace(frame, LumaOf(reference, clip.encoding, executor_));
     }
     if (references_.empty()) {
       throw Error(fmt::format(
@@ -42,9 +48,9 @@ class ClipLoss::Judge {
     run_.options.generation.gate_width = gate_width;
     std::vector<double> losses(tiles());
     RunMode(*run_.clip, run_.options, executor_, [&](const ShownFrame& shown) {
-      const bool judged = shown.generated || run_.options.method->generation == Generation::kNone;
+      if (!IsJudged(*run_.options.method, shown)) return;
       const auto reference = references_.find(shown.frame);
-      if (!judged || reference == references_.end()) return;
+      if (reference == references_.end()) return;
       const LumaPlane luma = LumaOf(shown.image, run_.clip->encoding, executor_);
       executor_.ForEach(grid_.count(), [&](int tile) {
         const Ssim ssim(grid_.Window(reference->second.view(), tile));
@@ -72,38 +78,6 @@ class ClipLoss::Judge {
                               run.clip->name, grid.width, grid.height, kSsimWindow, kSsimWindow));
     }
     return {grid.width, grid.height};
-  }
-
-  // Indices in the clip. A frame without a reference is an Error, as a clip has it for all frames or none.
-  static std::vector<int> JudgedFrames(const ClipRun& run) {
-    const int count = static_cast<int>(run.clip->frames.size());
-    const int every = run.options.every;
-    std::set<int> frames;
-    if (run.options.method->generation == Generation::kNone) {
-      for (int i = every; i < count; i += every) frames.insert(i);
-    } else {
-      const bool extrapolates = run.options.method->generation == Generation::kExtrapolation;
-      for (int begin = extrapolates ? every : 0; begin < count; begin += every) {
-        if (!extrapolates && begin + every >= count) break;
-        for (const float alpha : Alphas(run.options)) {
-          const double time = begin + static_cast<double>(alpha) * every;
-          const double whole = std::round(time);
-          if (std::abs(time - whole) < kAlphaStep / 2 && whole < count) {
-            frames.insert(static_cast<int>(whole));
-          }
-        }
-      }
-    }
-    for (const int i : frames) {
-      const ImageView reference = run.clip->frames[static_cast<std::size_t>(i)].reference.view();
-      if (reference.width != run.clip->output.width) {
-        throw Error(
-            fmt::format("the sequence '{}' has no stream 'reference', by which a "
-                        "calibration judges",
-                        run.clip->name));
-      }
-    }
-    return {frames.begin(), frames.end()};
   }
 
   ClipRun run_;

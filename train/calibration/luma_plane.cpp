@@ -10,15 +10,14 @@ namespace {
 
 template <PixelFormat kFormat>
 void LumaRow(const ImageView& image, bool tone_map, int y, float* out) {
-  constexpr float kScale = kFormat == PixelFormat::kRgba8 ? 1.0f / 255.0f : 1.0f;
+  constexpr float kScale = 1.0f / ChannelScale(kFormat);
   const auto* pixel = static_cast<const std::byte*>(image.At(0, y));
   for (int x = 0; x < image.width; ++x, pixel += BytesPerPixel(kFormat)) {
     float rgb[3];
     for (int c = 0; c < 3; ++c) rgb[c] = LoadChannel(kFormat, pixel, c) * kScale;
     if (tone_map) {
       for (float& channel : rgb) channel = std::max(channel, 0.0f);
-      const float factor = ToneMapFactor(std::max({rgb[0], rgb[1], rgb[2]}));
-      for (float& channel : rgb) channel *= factor;
+      ToneMap(rgb);
     }
     float sum = 0;
     for (int c = 0; c < 3; ++c) sum += static_cast<float>(kLumaWeights[c]) * rgb[c];

@@ -26,7 +26,7 @@ float Difference(const TestImage& a, const TestImage& b) {
 }
 
 std::vector<FrameGenerationOptions> Variants(const TestFrame& frame) {
-  std::vector<FrameGenerationOptions> variants(9, OptionsFor(frame));
+  std::vector<FrameGenerationOptions> variants(10, OptionsFor(frame));
   variants[1].motion_model = MotionModel::kLinear;
   variants[2].refine = false;
   variants[3].fill = DisocclusionFill::kBackground;
@@ -36,6 +36,7 @@ std::vector<FrameGenerationOptions> Variants(const TestFrame& frame) {
   variants[7].brightness_gate = true;
   variants[8].brightness_gate = true;
   variants[8].gate_width = 0.5f;
+  variants[9].splat = false;
   return variants;
 }
 
@@ -69,16 +70,24 @@ TEST(Reference, FastPassesAgree) {
 
 struct Passes {
   std::vector<float> forward, from0, from1;
+  std::vector<float> own0, own1;  // without splatting
   std::vector<RowRange> reach;
   std::vector<SplatKey> keys;
+  std::vector<std::uint8_t> disoccluded;
 };
 
 Passes RunPasses(const RowKernels& kernels, const GenerationJob& job) {
   const int width = job.width(), height = job.height();
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  Passes p{std::vector<float>(2 * pixels), std::vector<float>(2 * pixels),
-           std::vector<float>(2 * pixels), std::vector<RowRange>(),
-           std::vector<SplatKey>(pixels, kNoSplat)};
+  const std::vector<float> vectors(2 * pixels);
+  Passes p{vectors,
+           vectors,
+           vectors,
+           vectors,
+           vectors,
+           std::vector<RowRange>(),
+           std::vector<SplatKey>(pixels, kNoSplat),
+           std::vector<std::uint8_t>(static_cast<std::size_t>(TileCount(width, kTileWidth)))};
   const auto view = [&](std::vector<float>& xy) {
     return MutableMotionView{xy.data(), width, height, std::ptrdiff_t{8} * width};
   };
@@ -86,7 +95,10 @@ Passes RunPasses(const RowKernels& kernels, const GenerationJob& job) {
   for (int y = 0; y < height; ++y) p.reach.push_back(kernels.forward(job, y, view(p.forward)));
   for (int y = 0; y < height; ++y) kernels.splat(job, view(p.forward), y, {0, height}, keys);
   for (int y = 0; y < height; ++y) {
-    kernels.target_motion(job, {view(p.forward), keys}, y, view(p.from0), view(p.from1));
+    kernels.target_motion(job, {view(p.forward), keys}, y, view(p.from0), view(p.from1),
+                          p.disoccluded.data());
+    kernels.forward(job, y, view(p.own1));
+    kernels.own_motion(job, y, view(p.own0), view(p.own1));
   }
   return p;
 }
@@ -121,8 +133,11 @@ TEST(Reference, MotionIsTheSameToTheBit) {
           const Passes plain = RunPasses(ReferenceRowKernels(), job);
           ExpectSame(fast.forward, plain.forward);
           EXPECT_EQ(fast.keys, plain.keys);
+          EXPECT_EQ(fast.disoccluded, plain.disoccluded);
           ExpectSame(fast.from0, plain.from0);
           ExpectSame(fast.from1, plain.from1);
+          ExpectSame(fast.own0, plain.own0);
+          ExpectSame(fast.own1, plain.own1);
           for (int y = 0; y < height; ++y) {
             const RowRange f = fast.reach[static_cast<std::size_t>(y)];
             const RowRange r = plain.reach[static_cast<std::size_t>(y)];

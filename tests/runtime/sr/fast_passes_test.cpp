@@ -103,8 +103,8 @@ TEST(FastPasses, EqualTheReferenceInEveryMode) {
       for (const DepthMeasure depth :
            {DepthMeasure::kNone, DepthMeasure::kAbsolute, DepthMeasure::kRelative}) {
         for (const MotionUpsampling motion :
-             {MotionUpsampling::kNearest, MotionUpsampling::kDilated,
-              MotionUpsampling::kEdgeAware}) {
+             {MotionUpsampling::kNearest, MotionUpsampling::kDilated, MotionUpsampling::kEdgeAware,
+              MotionUpsampling::kStatic}) {
           for (const CurrentFrame current : {CurrentFrame::kBilinear, CurrentFrame::kBicubic}) {
             SuperResolutionOptions options = base;
             options.form = form;

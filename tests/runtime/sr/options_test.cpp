@@ -42,17 +42,19 @@ struct BadFrame {
 TEST(SuperResolution, RefusesFramesThatDoNotFitWithASentence) {
   const std::vector<BadFrame> bad = {
       {[](auto& f, auto&) { f.color.data = nullptr; }, "colour has no data"},
-      {[](auto& f, auto&) { f.color.width = 7; }, "colour is 7 x 4; 8 x 4"},
-      {[](auto& f, auto&) { f.color.format = PixelFormat::kR32F; }, "Colour or output is r32f"},
-      {[](auto& f, auto&) { f.color.stride = 8; }, "rows of the colour"},
-      {[](auto& f, auto&) { f.depth.height = 5; }, "depth is 8 x 5; 8 x 4"},
-      {[](auto& f, auto&) { f.depth.format = PixelFormat::kRgba8; }, "depth is rgba8"},
+      {[](auto& f, auto&) { f.color.width = 7; }, "colour is 7 x 4; expected 8 x 4"},
+      {[](auto& f, auto&) { f.color.format = PixelFormat::kR32F; },
+       "colour has the format r32f; expected"},
+      {[](auto& f, auto&) { f.color.stride = 8; }, "colour has a stride of 8 bytes"},
+      {[](auto& f, auto&) { f.depth.height = 5; }, "depth is 8 x 5; expected 8 x 4"},
+      {[](auto& f, auto&) { f.depth.format = PixelFormat::kRgba8; },
+       "depth has the format rgba8; expected r32f"},
       {[](auto& f, auto&) { f.motion.xy = nullptr; }, "motion has no data"},
-      {[](auto& f, auto&) { f.motion.stride = 8 * 4; }, "rows of the motion"},
+      {[](auto& f, auto&) { f.motion.stride = 8 * 4; }, "motion has a stride of 32 bytes"},
       {[](auto& f, auto&) { f.jitter_x = 1.25f; }, "jitter is (1.25"},
       {[](auto& f, auto&) { f.jitter_y = kNaN; }, "jitter is"},
-      {[](auto&, auto& out) { out.width = 8; }, "output is 8 x 8; 16 x 8"},
-      {[](auto&, auto& out) { out.stride += 1; }, "rows of the output"},
+      {[](auto&, auto& out) { out.width = 8; }, "output is 8 x 8; expected 16 x 8"},
+      {[](auto&, auto& out) { out.stride += 1; }, "output has a stride"},
   };
   const SuperResolutionOptions options = TestOptions(8, 4, 16, 8);
   SerialExecutor executor;

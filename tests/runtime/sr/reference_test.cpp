@@ -21,7 +21,7 @@ class TestJob {
     const RenderedFrame view = frame.View();
     x.SetJitter(view.jitter_x);
     y.SetJitter(view.jitter_y);
-    FillPlanesReference(view, view.motion, options.encoding, 0, options.render_height, planes);
+    FillPlanesReference(options, view, view.motion, 0, options.render_height, planes);
     DepthRangeReference(planes.depth, 0, options.render_height, nearest, farthest);
   }
 

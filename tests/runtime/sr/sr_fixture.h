@@ -40,7 +40,7 @@ class TestFrame {
 
   void SetColor(int x, int y, float r, float g, float b) {
     const MutableImageView view = color_.view();
-    const float white = view.format == PixelFormat::kRgba8 ? 255.0f : 1.0f;
+    const float white = ChannelScale(view.format);
     const float channels[4] = {r, g, b, 1.0f};
     for (int c = 0; c < 4; ++c) StoreChannel(view.format, channels[c] * white, view.At(x, y), c);
   }

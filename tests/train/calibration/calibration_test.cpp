@@ -9,7 +9,7 @@
 #include "datasets/file.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
-#include "tests/train/calibration/gate_model.h"
+#include "train/calibration/gate_model.h"
 
 namespace warplut {
 namespace {
@@ -83,6 +83,29 @@ TEST(Calibration, ReportsAParameterThatNothingHangsOn) {
   EXPECT_EQ(result.best.parameters.sr_depth_threshold, Parameters{}.sr_depth_threshold);
   EXPECT_FALSE(result.parameters[1].NotNeeded());
   EXPECT_TRUE(result.parameters[1].standard_error.has_value());
+}
+
+// The paper's share would be better, but it is not what was asked for.
+TEST(Calibration, LeavesWhatIsNotFittedAlone) {
+  const Parameters& paper = kPaperParameters;
+  GateModel model({.threshold = paper.sr_depth_threshold,
+                   .share = paper.blend_a * (1 - 0.1 * paper.blend_b),
+                   .slope = paper.blend_b});
+  const CalibrationResult result = Calibrate(Options({kThreshold}, 1), model);
+  EXPECT_LT(result.paper_loss, result.default_loss);
+  Parameters expected;
+  expected.sr_depth_threshold = result.best.parameters.sr_depth_threshold;
+  EXPECT_EQ(result.best.parameters, expected);
+}
+
+TEST(Calibration, WhatHardlyActsDoesNotWander) {
+  GateModel model({.scale = 1e-9});
+  const CalibrationResult result = Calibrate(Options({kThreshold, kA, kB}, 1), model);
+  for (const CalibratedParameter& parameter : result.parameters) {
+    EXPECT_TRUE(parameter.NotNeeded());
+  }
+  EXPECT_EQ(result.best.parameters, Parameters{});
+  EXPECT_LE(result.best.loss, result.default_loss);
 }
 
 TEST(Calibration, AllIsNotNeededWhereTheLossIsConstant) {

@@ -1,0 +1,55 @@
+# The runtime as a library, whole or with what one content needs.
+set(WARPLUT_ROOT ${CMAKE_CURRENT_LIST_DIR}/.. CACHE INTERNAL "The root of the sources")
+
+# warplut_runtime_library(NAME [PIPELINE HEADER]): a static library of the runtime. HEADER, a PIPELINE.h (runtime/pipeline_configuration.h),
+# says what it contains; without it everything. What links it is compiled with the same header. Sections are small, so that a program
+# linked with --gc-sections keeps only what it calls.
+function(warplut_runtime_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PIPELINE" "")
+  find_package(HWY REQUIRED CONFIG NAMES HWY hwy)
+  find_package(Threads REQUIRED)
+  set(generation
+    blend_reference.cpp
+    color_repair.cpp
+    frame_check.cpp
+    frame_generation.cpp
+    row_kernels.cpp
+    splat_reference.cpp
+    target_motion.cpp
+    target_motion_reference.cpp
+    tone_map.cpp)
+  list(TRANSFORM generation PREPEND ${WARPLUT_ROOT}/runtime/generation/)
+  set(sr
+    fast_passes.cpp
+    frame_check.cpp
+    reference_color.cpp
+    reference_geometry.cpp
+    super_resolution.cpp)
+  list(TRANSFORM sr PREPEND ${WARPLUT_ROOT}/runtime/sr/)
+  set(shared
+    camera_motion.cpp
+    executor.cpp
+    image_check.cpp
+    method.cpp
+    motion_filter.cpp
+    motion_tiles.cpp
+    parameters.cpp
+    table.cpp
+    warp.cpp
+    warp_kernels.cpp
+    warp_reference.cpp)
+  list(TRANSFORM shared PREPEND ${WARPLUT_ROOT}/runtime/)
+
+  warplut_library(${name} ${shared} ${generation} ${sr})
+  target_link_libraries(${name} PUBLIC warplut_contract Threads::Threads PRIVATE hwy::hwy)
+  if(arg_PIPELINE)
+    get_filename_component(header ${arg_PIPELINE} ABSOLUTE)
+    target_compile_definitions(${name} PUBLIC "WARPLUT_PIPELINE_HEADER=\"${header}\"")
+  endif()
+  if(NOT MSVC)
+    target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
+    # The plain and the fast version of a pass give the same bits: no compiler may fuse multiply and add in one of them.
+    set_source_files_properties(${generation} TARGET_DIRECTORY ${name}
+                                PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
+  endif()
+endfunction()

@@ -1,0 +1,28 @@
+#include "runtime/generation/target_motion.h"
+#include "runtime/motion_tiles.h"
+
+namespace warplut::generation {
+
+void TargetMotionRowReference(const GenerationJob& job, const Arrivals& arrivals, int y,
+                              const MutableMotionView& from0, const MutableMotionView& from1,
+                              std::uint8_t* disoccluded) {
+  for (int x = 0; x < job.width(); ++x) {
+    const TargetMotion motion = TargetMotionAt(job, arrivals, x, y);
+    if (job.Interpolates()) SetMotion(from0, x, y, motion.from0);
+    SetMotion(from1, x, y, motion.from1);
+    if (motion.filled) disoccluded[x / kTileWidth] = 1;
+  }
+}
+
+void OwnMotionRowReference(const GenerationJob& job, int y, const MutableMotionView& from0,
+                           const MutableMotionView& from1) {
+  for (int x = 0; x < job.width(); ++x) {
+    const Vector displacement = MotionAt(from1, x, y);
+    const bool moves = IsFinite(displacement);
+    SetMotion(from1, x, y, moves ? displacement : Vector{});
+    if (!job.Interpolates()) continue;
+    SetMotion(from0, x, y, moves ? displacement + MotionAt(job.motion1, x, y) : Vector{});
+  }
+}
+
+}  // namespace warplut::generation

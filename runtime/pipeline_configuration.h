@@ -1,0 +1,75 @@
+// What a build of the runtime contains. `warplut profile` writes one of these for a content as PIPELINE.h; docs/PIPELINE.md tells how to
+// compile with it.
+//
+// A header of one's own defines warplut::kPipeline and nothing else:
+//
+//   #include "runtime/pipeline_configuration.h"
+//   namespace warplut {
+//   inline constexpr PipelineConfiguration kPipeline = {
+//       .interpolation = false,
+//       .extrapolation = false,
+//       .reference = false,
+//       .filter = Filter::kCatmullRom,
+//       .sr = {.form = HistoryForm::kSample, .clamp = ColorClamp::kNone},
+//   };
+//   }  // namespace warplut
+//
+// A choice without a value is made at run time, by the options. A choice with a value is the only one that is compiled: the options start
+// with it, and their IsValid refuses another. The images are those of the full runtime with the same options, to the bit.
+#pragma once
+
+#include <optional>
+
+#include "runtime/choices.h"
+#include "runtime/color_encoding.h"
+#include "runtime/filter.h"
+#include "runtime/gates.h"
+#include "runtime/image_view.h"
+#include "runtime/table.h"
+
+namespace warplut {
+
+// Choices of SuperResolutionOptions, by the same names, and formats of the frames.
+struct SuperResolutionConfiguration {
+  std::optional<HistoryForm> form = {};
+  std::optional<bool> history = {};
+  std::optional<ColorClamp> clamp = {};
+  std::optional<DepthMeasure> depth = {};
+  std::optional<MotionUpsampling> motion = {};
+  std::optional<bool> motion_filter = {};
+  std::optional<CurrentFrame> current = {};
+  std::optional<PixelFormat> history_format = {};
+  std::optional<PixelFormat> color_format = {};   // of RenderedFrame::color
+  std::optional<PixelFormat> output_format = {};  // of the output
+  std::optional<ColorEncoding> encoding = {};
+};
+
+// Choices of FrameGenerationOptions, by the same names, and formats of the frames.
+struct FrameGenerationConfiguration {
+  std::optional<MotionModel> motion_model = {};
+  std::optional<bool> splat = {};
+  std::optional<bool> refine = {};
+  std::optional<DisocclusionFill> fill = {};
+  std::optional<DepthMeasure> depth = {};
+  std::optional<bool> brightness_gate = {};
+  std::optional<bool> motion_filter = {};
+  std::optional<PixelFormat> color_format = {};   // of DisplayedFrame::color, both frames
+  std::optional<PixelFormat> output_format = {};  // of the output
+  std::optional<ColorEncoding> encoding = {};
+};
+
+struct PipelineConfiguration {
+  bool super_resolution = true;  // SuperResolution is there
+  bool interpolation = true;     // FrameGeneration::Interpolate
+  bool extrapolation = true;     // FrameGeneration::Extrapolate
+  bool reference = true;         // the plain version of every pass (options.reference)
+
+  // Of every warp: WarpOptions::filter and ::lookup.
+  std::optional<Filter> filter = {};
+  std::optional<Lookup> lookup = {};
+
+  SuperResolutionConfiguration sr = {};
+  FrameGenerationConfiguration generation = {};
+};
+
+}  // namespace warplut

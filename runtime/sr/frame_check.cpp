@@ -1,0 +1,84 @@
+#include "runtime/sr/frame_check.h"
+
+#include <cmath>
+
+#include "runtime/chosen.h"
+#include "runtime/image_check.h"
+#include "runtime/pipeline_check.h"
+
+namespace warplut {
+namespace {
+
+// Whether the build contains what the options choose.
+bool AreContained(const SuperResolutionOptions& o, std::string* why) {
+  constexpr const SuperResolutionConfiguration& kSr = kPipeline.sr;
+  return CheckPart("super resolution", kPipeline.super_resolution, why) &&
+         CheckPart("the reference versions of the passes", kPipeline.reference || !o.reference,
+                   why) &&
+         CheckChoice("The form", kSr.form, o.form, why) &&
+         CheckChoice("The history", kSr.history, o.history, why) &&
+         CheckChoice("The clamp", kSr.clamp, o.clamp, why) &&
+         CheckChoice("The depth measure", kSr.depth, o.depth, why) &&
+         CheckChoice("The motion", kSr.motion, o.motion, why) &&
+         CheckChoice("The motion filter", kSr.motion_filter, o.motion_filter, why) &&
+         CheckChoice("The current frame", kSr.current, o.current, why) &&
+         CheckChoice("The history format", kSr.history_format, o.history_format, why) &&
+         CheckChoice("The encoding", kSr.encoding, o.encoding, why);
+}
+
+}  // namespace
+
+bool SuperResolutionOptions::IsValid(std::string* why) const {
+  if (render_width < 1 || render_height < 1) {
+    return Refuse({"The render size is ", SizeName(render_width, render_height),
+                   "; at least 1 x 1 was expected."},
+                  why);
+  }
+  const auto fits = [](int render, int output) {
+    return output >= render && output / 4.0 <= render && output <= kLargestSize;
+  };
+  if (!fits(render_width, output_width) || !fits(render_height, output_height)) {
+    return Refuse({"The output size is ", SizeName(output_width, output_height),
+                   "; 1 to 4 times the render size ", SizeName(render_width, render_height),
+                   " was expected."},
+                  why);
+  }
+  if (history_format == PixelFormat::kR32F) {
+    return Refuse({"The history format is r32f; rgba8, rgba16f or rgba32f was expected."}, why);
+  }
+  if (!(gate_width >= 0 && gate_width <= 1)) {
+    return Refuse({"The gate width is ", std::to_string(gate_width), "; 0 to 1 was expected."},
+                  why);
+  }
+  if (!AreContained(*this, why)) return false;
+  const char* reason = nullptr;
+  if (WarpsHistory(*this) && !warp.IsValid(&reason)) {
+    return Refuse({"The filter: ", reason, "."}, why);
+  }
+  return parameters.IsValid(why);
+}
+
+bool IsFrameProcessable(const SuperResolutionOptions& options, const RenderedFrame& frame,
+                        const MutableImageView& out, std::string* why) {
+  const int width = options.render_width;
+  const int height = options.render_height;
+  if (!CheckColor("The colour", frame.color, width, height, why) ||
+      !CheckChoice("The format of the colour", kPipeline.sr.color_format, frame.color.format,
+                   why) ||
+      !CheckColor("The output", out, options.output_width, options.output_height, why) ||
+      !CheckChoice("The format of the output", kPipeline.sr.output_format, out.format, why)) {
+    return false;
+  }
+  if (ReadsMotion(options) && (!CheckDepth("The depth", frame.depth, width, height, why) ||
+                               !CheckMotion("The motion", frame.motion, width, height, why))) {
+    return false;
+  }
+  if (!(std::abs(frame.jitter_x) <= 1 && std::abs(frame.jitter_y) <= 1)) {
+    return Refuse({"The jitter is (", std::to_string(frame.jitter_x), ", ",
+                   std::to_string(frame.jitter_y), "); -1 to 1 was expected."},
+                  why);
+  }
+  return true;
+}
+
+}  // namespace warplut

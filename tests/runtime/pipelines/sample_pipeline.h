@@ -1,0 +1,9 @@
+#pragma once
+
+#include "tests/runtime/pipelines/lean_configurations.h"
+
+namespace warplut {
+
+inline constexpr PipelineConfiguration kPipeline = kSampleConfiguration;
+
+}  // namespace warplut

@@ -1,0 +1,238 @@
+// warplut profile: what content can do without, and the pipeline that is left as a header.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "datasets/file.h"
+#include "datasets/hash.h"
+#include "luts/table_io.h"
+#include "tools/command.h"
+#include "tools/interrupt.h"
+#include "tools/pipeline_options.h"
+#include "tools/profile/pipeline_header.h"
+#include "tools/profile/profile_report.h"
+#include "tools/progress.h"
+#include "tools/thread_limit.h"
+
+namespace warplut {
+namespace {
+
+struct ProfileArguments {
+  std::vector<std::string> sequences;
+  std::string mode = "sr";
+  std::string out;
+  double within = 0.0005;
+  int every = 2;
+  bool json = false;
+  bool markdown = false;
+  bool generated_given = false;
+  PipelineArguments pipeline;
+};
+
+// Shares of the work: the search with its check, and the smaller tables.
+constexpr double kSearchShare = 0.7;
+
+const MethodInfo& ProfiledMethod(const ProfileArguments& arguments) {
+  const MethodInfo& method = MethodOf(arguments.mode);
+  RequireUsage(
+      !method.parameters.empty(),
+      fmt::format("the mode {} is a baseline, which has no pass to leave out; expected one "
+                  "that is calibrated, as sr or i",
+                  arguments.mode));
+  return method;
+}
+
+// The sequences of a profile and their clips.
+class Content {
+ public:
+  Content(const ProfileArguments& arguments, const Pipeline& pipeline, const MethodInfo& method)
+      : arguments_(arguments), pipeline_(pipeline), method_(method) {
+    for (const std::string& path : arguments.sequences) {
+      sequences_.push_back(ReadSequenceFor(pipeline, path));
+      if (sequences_.back().color_space != sequences_.front().color_space) {
+        throw Error(fmt::format(
+            "'{}' and '{}' have different colour spaces; a pipeline is profiled for one",
+            sequences_.front().name, sequences_.back().name));
+      }
+    }
+  }
+
+  int every() const { return method_.generation == Generation::kNone ? 1 : arguments_.every; }
+
+  ColorEncoding encoding() const {
+    return sequences_.front().color_space == ColorSpace::kLinear ? ColorEncoding::kLinearHdr
+                                                                 : ColorEncoding::kDisplay;
+  }
+
+  bool OneGrid() const {
+    return std::all_of(sequences_.begin(), sequences_.end(),
+                       [](const Sequence& sequence) { return sequence.render == sequence.output; });
+  }
+
+  // `frames`: as on the command line.
+  std::vector<ProfileClip> Load(const std::string& frames) const {
+    std::vector<ProfileClip> clips;
+    for (const Sequence& sequence : sequences_) {
+      clips.push_back(LoadOne(sequence, ParseFrames(frames, sequence)));
+    }
+    return clips;
+  }
+
+  std::vector<ProfiledSequence> Names() const {
+    std::vector<ProfiledSequence> names;
+    for (const Sequence& sequence : sequences_) {
+      names.push_back({.name = sequence.name,
+                       .sha1 = Sha1OfFile(sequence.folder / Sequence::kManifest),
+                       .has_reference = Contains(AvailableStreams(sequence), Streams::kReference)});
+    }
+    return names;
+  }
+
+ private:
+  ProfileClip LoadOne(const Sequence& sequence, const FrameRange& range) const {
+    ProfileClip clip;
+    clip.input = pipeline_.Load(sequence, range, {&method_}, Streams::kNone, every());
+    if (method_.super_resolution) {
+      // Without super resolution the rendered frames are shown, not the references.
+      for (ClipFrame& frame : clip.input.frames) frame.reference = ImageBuffer();
+    }
+    const Streams truth = AvailableStreams(sequence) & kTruthStreams;
+    clip.truth = LoadClip(sequence, range.first, range.count, truth);
+    clip.has_reference = Contains(truth, Streams::kReference);
+    return clip;
+  }
+
+  const ProfileArguments& arguments_;
+  const Pipeline& pipeline_;
+  const MethodInfo& method_;
+  std::vector<Sequence> sequences_;
+};
+
+void TryTables(const ProfileArguments& arguments, PipelineMeter& meter, Progress& progress,
+               ProfileReport& report) {
+  if (arguments.pipeline.lut.empty()) return;
+  const ProfiledPipeline& chosen = report.result.chosen;
+  report.tables_in_chosen = chosen.ReadsTable();
+  const LoadedTable loaded = LoadTable(arguments.pipeline.lut, TableFormat::kF32);
+  report.tables = TrySmallerTables(
+      meter, report.tables_in_chosen ? chosen : report.full, ToRealTable(loaded.table.view()),
+      report.result.full_scores, [&](double share) {
+        progress.Update(kSearchShare + (1 - kSearchShare) * share, "smaller tables");
+      });
+  if (!report.tables_in_chosen) return;
+  const SmallerTable* smallest = SmallestWithin(report.tables, chosen.warp().lookup, report.within);
+  if (smallest != nullptr) report.table = *smallest;
+}
+
+ProfileReport Profile(const ProfileArguments& arguments, const MethodInfo& method,
+                      const Pipeline& pipeline, const Content& content) {
+  const ModeRunOptions options = pipeline.Options(method, content.every());
+  const auto check = [] { ThrowIfInterrupted("profile", "nothing was written"); };
+  ProfileReport report{.version = WARPLUT_VERSION,
+                       .mode = arguments.mode,
+                       .filter = pipeline.filter_name(),
+                       .within = arguments.within,
+                       .sequences = content.Names(),
+                       .searched_frames = arguments.pipeline.frames,
+                       .full = FullPipeline(options, content.OneGrid()),
+                       .result = {},
+                       .tables = {},
+                       .table = {},
+                       .tiles = {},
+                       .time_by_tiles = {}};
+  Progress progress("profiling", 1, "");
+  const ProfileSearch search(report.full, arguments.within, [&](double share) {
+    progress.Update(kSearchShare * share, "pipelines");
+  });
+  const auto meter_of = [&](const std::string& frames) {
+    return PipelineMeter(content.Load(frames), report.full, options, arguments.pipeline.threads,
+                         check);
+  };
+  PipelineMeter meter = meter_of(arguments.pipeline.frames);
+  report.result = search.Search(meter);
+  const ProfiledPipeline shipped = ShippedPipeline(options, content.OneGrid());
+  if (arguments.pipeline.frames.empty()) {
+    search.Check(meter, shipped, &report.result);
+  } else {
+    PipelineMeter whole = meter_of("");
+    search.Check(whole, shipped, &report.result);
+  }
+  report.tiles = CountTiles(meter, report.full);
+  report.time_by_tiles = TimeByTiles(meter, report.full, kRoundPasses);
+  TryTables(arguments, meter, progress, report);
+  return report;
+}
+
+std::string Markdown(const ProfileReport& report) {
+  std::string text = ToMarkdown(SummaryTable(report));
+  for (const TextTable& table :
+       {AloneTable(report), TogetherTable(report), TablesTable(report), TileTable(report)}) {
+    if (!table.rows.empty()) text += "\n" + ToMarkdown(table);
+  }
+  return text;
+}
+
+ExitCode RunProfile(ProfileArguments arguments) {
+  if (!arguments.generated_given) arguments.pipeline.generated = std::max(1, arguments.every - 1);
+  RequireUsage(arguments.within >= 0 && std::isfinite(arguments.within),
+               fmt::format("--within is {}; expected at least 0", arguments.within));
+  const MethodInfo* method = AsUsage([&] {
+    CheckArguments(arguments.pipeline);
+    return &ProfiledMethod(arguments);
+  });
+  const std::filesystem::path out = arguments.out;
+  if (out.has_parent_path()) CreateFolder(out.parent_path());
+  if (std::filesystem::is_directory(out)) {
+    throw Error(
+        fmt::format("{} is a folder; expected the name of a header to write", out.string()));
+  }
+  const ThreadLimit limit(arguments.pipeline.threads);
+  const Pipeline pipeline(arguments.pipeline);
+  const Content content(arguments, pipeline, *method);
+  const ProfileReport report = Profile(arguments, *method, pipeline, content);
+  WriteFile(out, PipelineHeader(Banner(report),
+                                ConfigurationOf(report.result.chosen, content.encoding())));
+  if (arguments.json) {
+    Json json = {{"pipeline", arguments.out}};
+    json.update(ToJson(report));
+    PrintJson(json);
+  } else {
+    Print(arguments.markdown ? Markdown(report) : ToText(report));
+  }
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void AddProfileCommand(CLI::App& app, CommandRun* run) {
+  const auto arguments = std::make_shared<ProfileArguments>();
+  ProfileArguments& a = *arguments;
+  CLI::App* command = app.add_subcommand(
+      "profile", "Find the passes that content can do without: writes PIPELINE.h");
+  command->add_option("--sequence", a.sequences, "Sequences, best with references")->required();
+  command->add_option("--mode", a.mode, "The method: sr, i, e, isr, esr")->capture_default_str();
+  command->add_option("--out", a.out, "The header to write")->required();
+  command
+      ->add_option("--within", a.within,
+                   "SSIM that may be lost against every pass together, on the worst sequence")
+      ->capture_default_str();
+  command->add_option("--every", a.every, "Modes that generate: one frame in so many is rendered")
+      ->check(CLI::Range(2, 64))
+      ->capture_default_str();
+  AddTableOptions(*command, &a.pipeline);
+  AddPipelineOptions(*command, &a.pipeline);
+  CLI::Option* markdown =
+      command->add_flag("--markdown", a.markdown, "Print the tables as Markdown");
+  AddJsonOption(*command, &a.json);
+  markdown->excludes("--json");
+  command->callback([arguments, run, command] {
+    arguments->generated_given = command->count("--generated") > 0 || command->count("--alpha") > 0;
+    *run = [arguments] { return RunProfile(*arguments); };
+  });
+}
+
+}  // namespace warplut
