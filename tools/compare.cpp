@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "datasets/error.h"
@@ -59,14 +61,17 @@ std::vector<FramePair> PairFrames(const std::filesystem::path& a, const std::fil
 FrameScore MeanScore(const std::vector<FrameScore>& scores) {
   FrameScore mean;
   mean.name = "mean";
+  int differing = 0;
   for (const FrameScore& score : scores) {
     mean.mean_squared_error += score.mean_squared_error;
-    mean.psnr += score.psnr;
     mean.ssim += score.ssim;
+    if (std::isinf(score.psnr)) continue;
+    mean.psnr += score.psnr;
+    ++differing;
   }
   const auto count = static_cast<double>(scores.size());
   mean.mean_squared_error /= count;
-  mean.psnr /= count;
+  mean.psnr = differing > 0 ? mean.psnr / differing : std::numeric_limits<double>::infinity();
   mean.ssim /= count;
   return mean;
 }

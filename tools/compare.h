@@ -28,7 +28,7 @@ struct FramePair {
 };
 std::vector<FramePair> PairFrames(const std::filesystem::path& a, const std::filesystem::path& b);
 
-// The means of `scores`; the PSNR is the mean of the PSNRs.
+// The means of `scores`; the PSNR is the mean of those that are finite, +infinity if none is.
 FrameScore MeanScore(const std::vector<FrameScore>& scores);
 
 }  // namespace warplut

@@ -60,7 +60,7 @@ struct Finder {
       }
     }
     const float share = 1.0f / count;
-    *motion = {share * sum.from0, share * sum.from1, true};
+    *motion = {share * sum.from0, share * sum.from1};
     return true;
   }
 

@@ -19,7 +19,7 @@ namespace warplut::generation {
 struct TargetMotion {
   Vector from0;
   Vector from1;
-  bool filled = false;  // it is not that of a pixel that arrived here
+  bool filled = false;  // a disocclusion: nothing arrived here, and it is no gap
 };
 
 // What arrived: the results of the first two passes. Rows of `forward` follow each other without padding.

@@ -48,6 +48,12 @@ TEST(SequenceReport, TheMeanIsOverSequences) {
   EXPECT_NEAR(mean.methods[0].milliseconds, 12.34, 1e-9);
 }
 
+TEST(SequenceReport, WhatIsEqualDoesNotCountInTheMeanOfThePsnr) {
+  const SequenceReport mean = MeanReport({Report(30), Report(kInfinity), Report(32)});
+  EXPECT_DOUBLE_EQ(mean.methods[0].mean.psnr, 31);
+  EXPECT_DOUBLE_EQ(MeanReport({Report(kInfinity)}).methods[0].mean.psnr, kInfinity);
+}
+
 TEST(SequenceReport, JsonHasNullWhereThereIsNoNumber) {
   const auto json = ToJson(Report(30));
   EXPECT_EQ(json["sequence"], "street");

@@ -19,15 +19,6 @@ namespace {
 
 constexpr const char* kMethodNames[] = {"sr", "i", "e"};
 
-ModeRunOptions RunOptions(const ReportInputs& inputs, const MethodInfo& method) {
-  ModeRunOptions options;
-  options.method = &method;
-  options.every = method.generation == Generation::kNone ? 1 : kReportEvery;
-  options.super_resolution.warp = inputs.pipeline_lut.Warp();
-  options.generation.warp = inputs.pipeline_lut.Warp();
-  return options;
-}
-
 // The stream that a clip lacks, or null.
 const char* MissingStream(const Clip& clip) {
   for (const ClipFrame& frame : clip.frames) {
@@ -154,7 +145,7 @@ BudgetStudy StudyBudget(const ReportInputs& inputs) {
       for (MethodBudget& budget : study.methods) {
         inputs.progress(done / static_cast<double>(inputs.clips.size()),
                         fmt::format("{}, {}", clip.name, budget.method->name));
-        const ModeRunOptions options = RunOptions(inputs, *budget.method);
+        const ModeRunOptions options = ReportRunOptions(inputs, *budget.method);
         try {
           budget.clips.push_back(BudgetOf(clip, options, executor));
         } catch (const Error& error) {
