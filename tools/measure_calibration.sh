@@ -7,6 +7,7 @@
 # The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
 set -eu
 
+# shellcheck source=tools/measuring.sh
 . "$(dirname "$0")/measuring.sh"
 lut=luts/baked/warplut_x2.json
 table=$out/tables/calibration.md

@@ -5,6 +5,7 @@
 # The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
 set -eu
 
+# shellcheck source=tools/measuring.sh
 . "$(dirname "$0")/measuring.sh"
 mkdir -p "$out/headers"
 
