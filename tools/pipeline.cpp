@@ -145,6 +145,7 @@ Clip Pipeline::Load(const Sequence& sequence, const FrameRange& range,
   }
   if (arguments_.texels) which = Streams::kOutputGrid;
   Clip clip = LoadClip(sequence, range.first, range.count, which, every);
+  if (arguments_.motion_filter == "auto") clip.quantised_motion = HasQuantisedMotion(clip);
   if (arguments_.texels) TakeTexels(clip);
   return clip;
 }

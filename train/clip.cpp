@@ -89,16 +89,6 @@ void CheckRange(const Sequence& sequence, int first, int count, int every) {
   if (every < 1) throw Error(fmt::format("every is {}; expected at least 1", every));
 }
 
-// Judged by some of the rows.
-bool HasQuantisedMotion(const ClipFrame& frame) {
-  constexpr int kRows = 4;
-  MotionView motion = frame.motion.view();
-  if (motion.width == 0) motion = frame.reference_motion.view();
-  motion.height /= kRows;
-  motion.stride *= kRows;
-  return MotionStep(motion) >= kQuantisedStep;
-}
-
 }  // namespace
 
 RenderedFrame ClipFrame::Rendered() const {
@@ -115,6 +105,17 @@ DisplayedFrame ClipFrame::Displayed() const {
           .depth = reference_depth.view(),
           .motion = reference_motion.view(),
           .cut = cut};
+}
+
+bool HasQuantisedMotion(const Clip& clip) {
+  constexpr int kRowStep = 4;  // one in so many is looked at
+  return std::any_of(clip.frames.begin(), clip.frames.end(), [](const ClipFrame& frame) {
+    MotionView motion = frame.motion.view();
+    if (motion.width == 0) motion = frame.reference_motion.view();
+    motion.height /= kRowStep;
+    motion.stride *= kRowStep;
+    return MotionStep(motion) >= kQuantisedStep;
+  });
 }
 
 Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every) {
@@ -170,7 +171,6 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
       out.reference_depth = ToBuffer(frame.reference_depth, PixelFormat::kR32F);
     }
   });
-  clip.quantised_motion = std::any_of(clip.frames.begin(), clip.frames.end(), HasQuantisedMotion);
   return clip;
 }
 

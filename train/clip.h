@@ -30,7 +30,7 @@ struct Clip {
   std::string name;
   GridSize render, output;
   ColorEncoding encoding = ColorEncoding::kDisplay;
-  bool quantised_motion = false;  // of some frame (train/motion_step.h)
+  bool quantised_motion = false;  // what HasQuantisedMotion said, if it was asked
   std::vector<ClipFrame> frames;
 };
 
@@ -38,5 +38,8 @@ struct Clip {
 // before it in the sequence: composed along the frames between, so that a clip can be taken from every `every`-th frame; frames
 // that cannot be composed, as a cut lies between, are cuts. Errors as LoadFrame.
 Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1);
+
+// Whether the motion of some frame is quantised (train/motion_step.h): that of the render grid, or of the output grid where that is not loaded.
+bool HasQuantisedMotion(const Clip& clip);
 
 }  // namespace warplut

@@ -43,24 +43,6 @@ GridSize GenerationGrid(const Clip& clip, const MethodInfo& method) {
   return method.super_resolution || TakesReferences(clip) ? clip.output : clip.render;
 }
 
-// The name of a needed stream that the frame lacks, or null.
-const char* MissingStream(const ClipFrame& frame, const Clip& clip, Streams needed) {
-  const auto lacks = [&](Streams stream, const auto& buffer, GridSize grid) {
-    return Contains(needed, stream) && !IsOn(buffer, grid);
-  };
-  if (lacks(Streams::kColor, frame.color, clip.render)) return "color";
-  if (lacks(Streams::kDepth, frame.depth, clip.render)) return "depth";
-  if (lacks(Streams::kMotion, frame.motion, clip.render)) return "motion";
-  if (lacks(Streams::kReference, frame.reference, clip.output)) return "reference";
-  if (lacks(Streams::kReferenceDepth, frame.reference_depth, clip.output)) {
-    return "reference_depth";
-  }
-  if (lacks(Streams::kReferenceMotion, frame.reference_motion, clip.output)) {
-    return "reference_motion";
-  }
-  return nullptr;
-}
-
 std::string WhyClipIsUnfit(const Clip& clip, const ModeRunOptions& options) {
   const MethodInfo& method = *options.method;
   if (clip.frames.empty()) return fmt::format("the clip of '{}' has no frames", clip.name);
@@ -284,6 +266,23 @@ std::vector<float> Alphas(const ModeRunOptions& options) {
     alphas.push_back(static_cast<float>(k) / static_cast<float>(options.generated + 1));
   }
   return alphas;
+}
+
+const char* MissingStream(const ClipFrame& frame, const Clip& clip, Streams needed) {
+  const auto lacks = [&](Streams stream, const auto& buffer, GridSize grid) {
+    return Contains(needed, stream) && !IsOn(buffer, grid);
+  };
+  if (lacks(Streams::kColor, frame.color, clip.render)) return "color";
+  if (lacks(Streams::kDepth, frame.depth, clip.render)) return "depth";
+  if (lacks(Streams::kMotion, frame.motion, clip.render)) return "motion";
+  if (lacks(Streams::kReference, frame.reference, clip.output)) return "reference";
+  if (lacks(Streams::kReferenceDepth, frame.reference_depth, clip.output)) {
+    return "reference_depth";
+  }
+  if (lacks(Streams::kReferenceMotion, frame.reference_motion, clip.output)) {
+    return "reference_motion";
+  }
+  return nullptr;
 }
 
 SuperResolutionOptions EffectiveSuperResolution(const Clip& clip, const ModeRunOptions& options) {

@@ -40,6 +40,9 @@ bool AreTimesValid(const ModeRunOptions& options, std::string* why = nullptr);
 // The streams that the method takes of a sequence that has `available`, whether it has them all or not.
 Streams NeededStreams(const MethodInfo& method, Streams available);
 
+// The name of a needed stream that a frame of the clip lacks, or null.
+const char* MissingStream(const ClipFrame& frame, const Clip& clip, Streams needed);
+
 // The times of generated frames, as shares of the time between two rendered ones.
 std::vector<float> Alphas(const ModeRunOptions& options);
 

@@ -78,7 +78,7 @@ class ModeRunTest : public testing::Test {
 
 TEST_F(ModeRunTest, QuantisedMotionIsFilteredOnceIfAsked) {
   Clip clip = Load();
-  EXPECT_FALSE(clip.quantised_motion);
+  EXPECT_FALSE(HasQuantisedMotion(clip));
   clip.quantised_motion = true;
   EXPECT_FALSE(EffectiveSuperResolution(clip, Options("sr")).motion_filter);
   for (const bool quantised : {true, false}) {

@@ -1,7 +1,6 @@
 #include "tools/bench/ssim_benchmark.h"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,29 +8,12 @@
 #include <vector>
 
 #include "datasets/error.h"
+#include "tools/bench/timing.h"
 #include "train/random.h"
 #include "train/ssim.h"
 
 namespace warplut {
 namespace {
-
-double ThreadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class Work>
-double Time(const Work& work) {
-  const double begun = ThreadSeconds();
-  work();
-  return ThreadSeconds() - begun;
-}
-
-double Median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 // Mean SSIM over the valid region.
 double OpenCvSsim(const cv::Mat& x, const cv::Mat& y) {
@@ -84,21 +66,22 @@ SsimBenchmark RunSsimBenchmark(int width, int height, int repeats) {
   std::vector<double> ours, prepared, ratios;
   for (int i = 0; i <= repeats; ++i) {  // the first is a warm-up
     gradient.setTo(0);
-    const double own = Time([&] { ssim.MeanAndGradient(vx, 1, gradient.ptr<float>(), stride); });
-    const double whole = Time([&] {
+    const double own =
+        Milliseconds([&] { ssim.MeanAndGradient(vx, 1, gradient.ptr<float>(), stride); });
+    const double whole = Milliseconds([&] {
       const Ssim fresh(vy);
       fresh.MeanAndGradient(vx, 1, gradient.ptr<float>(), stride);
     });
-    const double other = Time([&] { OpenCvSsim(x, y); });
+    const double other = Milliseconds([&] { OpenCvSsim(x, y); });
     if (i == 0) continue;
     ours.push_back(own);
     prepared.push_back(whole);
     ratios.push_back(other / own);
   }
-  const double mpixels = 1e-6 * width * height;
-  benchmark.mpixels = mpixels / Median(ours);
-  benchmark.prepared_mpixels = mpixels / Median(prepared);
-  benchmark.opencv_ratio = Median(ratios);
+  const double kilopixels = 1e-3 * width * height;  // per millisecond: megapixels per second
+  benchmark.mpixels = kilopixels / Summarise(ours).median;
+  benchmark.prepared_mpixels = kilopixels / Summarise(prepared).median;
+  benchmark.opencv_ratio = Summarise(ratios).median;
   return benchmark;
 }
 

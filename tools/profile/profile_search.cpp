@@ -4,20 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "tools/bench/timing.h"
+
 namespace warplut {
 namespace {
 
 // Shares of the work: the omissions alone, together, and the check.
 constexpr double kAloneShare = 0.4, kTogetherShare = 0.9;
-
-double LeastOf(const std::vector<double>& times) {
-  return *std::min_element(times.begin(), times.end());
-}
-
-double MedianOf(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 // The full pipeline without these.
 ProfiledPipeline Without(ProfiledPipeline pipeline, const std::vector<OmissionTrial>& omissions) {
@@ -36,8 +29,9 @@ void MeasureSavings(PipelineMeter& meter, const ProfiledPipeline& current, doubl
     for (std::size_t pass = 0; pass < times[0].size(); ++pass) {
       savings.push_back((times[0][pass] - times[i + 1][pass]) / full_milliseconds);
     }
-    extensions[i].saving = MedianOf(savings);
-    extensions[i].measured = LeastOf(savings) > 0 && extensions[i].saving >= kLeastSaving;
+    const Timing summary = Summarise(std::move(savings));
+    extensions[i].saving = summary.median;
+    extensions[i].measured = summary.min > 0 && summary.median >= kLeastSaving;
   }
   const auto steps = [](const Extension& extension) {
     return std::lround(extension.saving / kSavingStep);
@@ -97,7 +91,7 @@ void ProfileSearch::TryAlone(PipelineMeter& meter, ProfileResult* result) const 
   std::vector<const ProfiledPipeline*> timed = {&full_};
   for (const ProfiledPipeline& pipeline : pipelines) timed.push_back(&pipeline);
   const auto times = meter.Time(timed, kRoundPasses);
-  result->full_milliseconds = LeastOf(times[0]);
+  result->full_milliseconds = Summarise(times[0]).min;
   for (std::size_t i = 0; i < pipelines.size(); ++i) {
     step_(kAloneShare * static_cast<double>(i + 1) / static_cast<double>(pipelines.size() + 1));
     PipelineCost& cost = result->alone[i].cost;
@@ -160,7 +154,7 @@ void ProfileSearch::Check(PipelineMeter& meter, const ProfiledPipeline& shipped,
   }
   const ProfiledPipeline* const timed[] = {&full_, &shipped, &result->chosen};
   const auto times = meter.Time(timed, kFinalPasses);
-  result->checked_full_milliseconds = LeastOf(times[0]);
+  result->checked_full_milliseconds = Summarise(times[0]).min;
   result->shipped.time = RatioOf(times[1], times[0]);
   result->checked.time = RatioOf(times[2], times[0]);
   step_(1);

@@ -22,12 +22,7 @@ constexpr const char* kMethodNames[] = {"sr", "i", "e"};
 // The stream that a clip lacks, or null.
 const char* MissingStream(const Clip& clip) {
   for (const ClipFrame& frame : clip.frames) {
-    if (frame.color.view().width == 0) return "color";
-    if (frame.depth.view().width == 0) return "depth";
-    if (frame.motion.view().width == 0) return "motion";
-    if (frame.reference.view().width == 0) return "reference";
-    if (frame.reference_depth.view().width == 0) return "reference_depth";
-    if (frame.reference_motion.view().width == 0) return "reference_motion";
+    if (const char* stream = MissingStream(frame, clip, Streams::kAll)) return stream;
   }
   return nullptr;
 }

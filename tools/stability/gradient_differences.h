@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <span>
+#include <vector>
 
 namespace warplut {
 
@@ -17,6 +18,32 @@ inline constexpr double kComplexStep = 1e-100;
 
 inline Complex Seeded(double value, double direction) { return {value, kComplexStep * direction}; }
 inline double Derivative(const Complex& value) { return value.imag() / kComplexStep; }
+
+// A direction of random signs: a point seeded in it, and what a gradient there says of the derivative along it.
+struct SeededDirection {
+  std::vector<Complex> point;
+  double analytic = 0;
+};
+
+// `random.Below(2)` gives the signs (train/random.h).
+template <class Random>
+SeededDirection RandomDirection(const std::vector<double>& at, const std::vector<double>& gradient,
+                                Random& random) {
+  SeededDirection direction;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const double sign = random.Below(2) == 0 ? -1 : 1;
+    direction.point.push_back(Seeded(at[i], sign));
+    direction.analytic += sign * gradient[i];
+  }
+  return direction;
+}
+
+// The Euclidean length: the root mean square of g . v over random directions v.
+inline double LengthOf(const std::vector<double>& gradient) {
+  double sum = 0;
+  for (const double g : gradient) sum += g * g;
+  return std::sqrt(sum);
+}
 
 // f'(x) to fourth order: truncation h^4 f^(5) / 30, rounding 1.5 eps |f| / h.
 template <class Function>

@@ -114,17 +114,10 @@ GradientError ParameterError(const Objective& objective, double scale, int direc
   const GainPenalty penalty(kBound);
 
   GradientError error;
-  for (const double g : gradient) error.size += g * g;
-  error.size = std::sqrt(error.size);
+  error.size = LengthOf(gradient);
   Random random(5);
   for (int i = 0; i < directions; ++i) {
-    std::vector<Complex> seeded;
-    double analytic = 0;
-    for (int p = 0; p < kMlpParameters; ++p) {
-      const double sign = random.Below(2) == 0 ? -1 : 1;
-      seeded.push_back(Seeded(parameters[p], sign));
-      analytic += sign * gradient[p];
-    }
+    const auto [seeded, analytic] = RandomDirection(parameters, gradient, random);
     CanonicalWeights<double> weights{}, direction{}, of_penalty{};
     for (int c = 0; c < kCanonicalNodes; ++c) {
       const auto [x, y] = CanonicalPosition(c);

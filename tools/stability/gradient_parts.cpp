@@ -57,20 +57,12 @@ StabilityResult HeadErrorAt(double scale, int directions, double bound) {
   batch.Forward(parameters.data());
   std::vector<double> gradient(kMlpParameters);
   batch.Backward(parameters.data(), factors, gradient.data());
-  double size = 0;
-  for (const double g : gradient) size += g * g;
-  size = std::sqrt(size);
+  const double size = LengthOf(gradient);
 
   Random random(2);
   double worst = 0;
   for (int i = 0; i < directions; ++i) {
-    std::vector<Complex> seeded;
-    double analytic = 0;
-    for (int p = 0; p < kMlpParameters; ++p) {
-      const double sign = random.Below(2) == 0 ? -1 : 1;
-      seeded.push_back(Seeded(parameters[p], sign));
-      analytic += sign * gradient[p];
-    }
+    const auto [seeded, analytic] = RandomDirection(parameters, gradient, random);
     double exact = 0;
     for (int c = 0; c < kCanonicalNodes; ++c) {
       const auto [x, y] = CanonicalPosition(c);
