@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <limits>
+#include <vector>
 
 #include "tests/runtime/warp_fixture.h"
 
@@ -91,6 +94,61 @@ TEST_P(WarpAccuracy, UniformAndWholeMotion) {
         CountDifferent(fast, reference);
       });
     }
+  }
+}
+
+TEST_P(WarpAccuracy, UniformMotionOfNarrowAndLowImages) {
+  const WarpOptions options;
+  for (const Size size :
+       {Size{1, 1}, {2, 5}, {5, 3}, {16, 7}, {19, 4}, {63, 8}, {67, 9}, {70, 13}}) {
+    TestImage history(size.width, size.height, GetParam());
+    history.Randomise(9);
+    for (const float mx : {-2.4f, -0.4f, 0.4f, 2.4f}) {
+      SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", motion " +
+                   std::to_string(mx));
+      const TestMotion motion(size.width, size.height, mx, 0.7f);
+      TestImage reference(size.width, size.height, GetParam());
+      WarpReference(history.history(), motion.view(), options, reference.view());
+      ForEachTarget([&] {
+        TestImage fast(size.width, size.height, GetParam());
+        Warp(history.history(), motion.view(), options, fast.view());
+        CountDifferent(fast, reference);
+      });
+    }
+  }
+}
+
+// Where history and output lie in memory decides in which direction rows are walked.
+TEST_P(WarpAccuracy, UniformMotionIsTheSameBitsAtEveryAddress) {
+  constexpr int kWidth = 150;
+  constexpr int kHeight = 21;
+  constexpr int kPage = 4096;
+  const int padding = kPage - kWidth * BytesPerPixel(GetParam());
+  TestImage history(kWidth, kHeight, GetParam(), padding);
+  history.Randomise(11);
+  const auto page_offset = [](const void* data) {
+    return static_cast<int>(reinterpret_cast<std::uintptr_t>(data) % kPage);
+  };
+  const WarpOptions options;
+  for (const float mx : {-0.3f, 3.3f}) {
+    const TestMotion motion(kWidth, kHeight, mx, -1.6f);
+    ForEachTarget([&] {
+      TestImage expected(kWidth, kHeight, GetParam(), padding);
+      Warp(history.history(), motion.view(), options, expected.view());
+      for (const int apart : {-512, -128, -4, 0, 4, 20, 64, 512, 2048}) {
+        std::vector<std::byte> bytes(std::size_t{kPage} * (kHeight + 1), std::byte{0xA5});
+        const int shift = page_offset(history.view().data) + apart - page_offset(bytes.data());
+        MutableImageView out = expected.view();
+        out.data = bytes.data() + (shift + 2 * kPage) % kPage;
+        Warp(history.history(), motion.view(), options, out);
+        for (int y = 0; y < kHeight; ++y) {
+          ASSERT_EQ(std::memcmp(out.At(0, y), expected.view().At(0, y),
+                                static_cast<std::size_t>(kWidth) * BytesPerPixel(GetParam())),
+                    0)
+              << apart << " bytes apart, row " << y;
+        }
+      }
+    });
   }
 }
 
