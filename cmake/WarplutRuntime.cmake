@@ -20,6 +20,7 @@ function(warplut_runtime_library name)
     tone_map.cpp)
   list(TRANSFORM generation PREPEND ${WARPLUT_ROOT}/runtime/generation/)
   set(sr
+    aliasing.cpp
     fast_passes.cpp
     frame_check.cpp
     reference_color.cpp

@@ -6,7 +6,7 @@
 namespace warplut {
 
 // How new samples enter the history (runtime/super_resolution.h).
-enum class HistoryForm : std::uint8_t { kSample, kResidual };
+enum class HistoryForm : std::uint8_t { kSample, kResidual, kAdaptive };
 
 // The colour box that limits the history.
 enum class ColorClamp : std::uint8_t { kNone, kBox, kVariance };
@@ -38,6 +38,8 @@ constexpr const char* Name(HistoryForm value) {
       return "sample";
     case HistoryForm::kResidual:
       return "residual";
+    case HistoryForm::kAdaptive:
+      return "adaptive";
   }
   return "";
 }

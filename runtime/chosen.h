@@ -36,7 +36,11 @@ constexpr bool WarpsHistory(const SuperResolutionOptions& o) {
   return KeepsHistory(o) && ReadsMotion(o);
 }
 constexpr bool HasResidual(const SuperResolutionOptions& o) {
-  return KeepsHistory(o) && FormOf(o) == HistoryForm::kResidual;
+  return KeepsHistory(o) && FormOf(o) != HistoryForm::kSample;
+}
+// Whether the history is updated smoother where samples alias.
+constexpr bool SmoothsAliasing(const SuperResolutionOptions& o) {
+  return KeepsHistory(o) && FormOf(o) == HistoryForm::kAdaptive;
 }
 constexpr DepthMeasure DepthOf(const SuperResolutionOptions& o) {
   return WarpsHistory(o) ? Choose(kPipeline.sr.depth, o.depth) : DepthMeasure::kNone;

@@ -7,12 +7,14 @@
 //      from the range of the 4 x 4 depths around P - m one frame ago;
 //   3. q^w limited to the colour box at P, bilinear among those of the samples around it (each of its 3 x 3 samples); where history is partly valid (gate_width > 0) or
 //      not at all the rest is the current frame alone, interpolated at P with its jitter;
-//   4. the new samples enter, in one of two forms (docs/PIPELINE.md):
+//   4. the new samples enter, in one of three forms (docs/PIPELINE.md):
 //      kSample    q = share * mean(w s) / mean(w) + (1 - share) q^w, share = BlendShare(a, mean w) over the samples within one
 //                 render pixel: equation 2 of the paper in the form that keeps constants;
 //      kResidual  q = q^w + share * (bilinearly interpolated differences of the samples from what the warped history predicts
 //                 at their own positions, by Catmull-Rom); share = BlendShare(a, SampleWeight(b, distance of the nearest
-//                 sample)). In both the share is multiplied by the validity of the history.
+//                 sample));
+//      kAdaptive  the residual form, which passes by degrees into a blend with the current frame alone where the samples alias
+//                 (runtime/sr/aliasing.h). In all the share is multiplied by the validity of the history.
 //   Without history (first frame, cut, options.history false) step 2 finds nothing valid.
 //   With MotionUpsampling::kStatic steps 1 and 2 are left out: q^w is the history at P and valid; neither motion nor depth is read.
 // q is limited to [0, 1] before it is stored (linear HDR: of the tone-mapped value).
@@ -55,7 +57,7 @@ struct RenderedFrame {
 struct SuperResolutionOptions {
   int render_width = 0, render_height = 0;
   int output_width = 0, output_height = 0;  // 1 to 4 times render, in each axis
-  HistoryForm form = kPipeline.sr.form.value_or(HistoryForm::kResidual);
+  HistoryForm form = kPipeline.sr.form.value_or(HistoryForm::kAdaptive);
   bool history = kPipeline.sr.history.value_or(true);  // false: every frame from itself alone
   ColorClamp clamp = kPipeline.sr.clamp.value_or(ColorClamp::kVariance);
   DepthMeasure depth = kPipeline.sr.depth.value_or(DepthMeasure::kRelative);

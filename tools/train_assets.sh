@@ -11,7 +11,7 @@ cd "$(dirname "$0")/.."
 objective=${1:-warp}
 case $objective in
   warp) prefix=warplut_x size= ;;
-  sr) prefix=warplut_sr_x size='--crops 14 --stages 2 --iterations 24' ;;
+  sr) prefix=warplut_sr_x size='--crops 14 --stages 2 --iterations 24 --blend-a 0.85 --blend-b 1' ;;
   *) echo "$0: the objective is '$objective'; expected warp or sr" >&2; exit 2 ;;
 esac
 if [ $# -gt 0 ]; then shift; fi

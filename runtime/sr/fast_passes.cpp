@@ -18,8 +18,7 @@ const SrPasses& PassesOfTarget() {
 #if HWY_TARGET == HWY_SCALAR
   return ReferencePasses();  // without vectors the formulas are the kernels
 #else
-  constexpr bool kResidual =
-      kContainsHistory && Contains(kPipeline.sr.form, HistoryForm::kResidual);
+  constexpr bool kResidual = kContainsHistory && kPipeline.sr.form != HistoryForm::kSample;
   constexpr bool kDepthGate = kContainsHistory && kPipeline.sr.depth != DepthMeasure::kNone &&
                               kPipeline.sr.motion != MotionUpsampling::kStatic;
   static constexpr SrPasses kPasses = {FillPlanes, Geometry,

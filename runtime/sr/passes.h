@@ -8,6 +8,7 @@
 #include "runtime/band.h"
 #include "runtime/chosen.h"
 #include "runtime/image_buffer.h"
+#include "runtime/sr/aliasing.h"
 #include "runtime/sr/axis_map.h"
 #include "runtime/sr/plane.h"
 #include "runtime/sr/render_planes.h"
@@ -30,8 +31,9 @@ struct SrJob {
   bool has_history;
   ImageView
       history;  // of the frame before; where the history is not warped it is already in `next`
-  MutableImageView next;  // first the predicted colour, then the new history
-  const Plane* residual;  // R, G, B: sample minus prediction
+  MutableImageView next;        // first the predicted colour, then the new history
+  const Plane* residual;        // R, G, B: sample minus prediction
+  const AliasingMap* aliasing;  // in the adaptive form
 
   bool HasHistory() const { return KeepsHistory(options) && has_history; }
 };
@@ -62,8 +64,9 @@ struct SrPasses {
                    const MutableImageView& depth, const MutableMotionView& motion);
   // Output rows [begin, end), at most kBandRows of one band: the predicted colour, and its validity in alpha.
   void (*predict)(const SrJob& job, int begin, int end, SrScratch& scratch);
-  // Render rows [begin, end) of the residual.
-  void (*residual)(const SrJob& job, int begin, int end, Plane* residual);
+  // Render rows [begin, end), those of one row of aliasing tiles: the residual, and in the adaptive form
+  // its variances.
+  void (*residual)(const SrJob& job, int begin, int end, Plane* residual, AliasingMap& aliasing);
   // Output rows [begin, end): the new samples enter; history and output are written.
   void (*update)(const SrJob& job, int begin, int end, SrScratch& scratch,
                  const MutableImageView& out);

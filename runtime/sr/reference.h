@@ -69,7 +69,8 @@ void FillPlanesReference(const SuperResolutionOptions& options, const RenderedFr
 void GeometryReference(const SrJob& job, int begin, int end, SrScratch& scratch,
                        const MutableImageView& depth, const MutableMotionView& motion);
 void PredictReference(const SrJob& job, int begin, int end, SrScratch& scratch);
-void ResidualReference(const SrJob& job, int begin, int end, Plane* residual);
+void ResidualReference(const SrJob& job, int begin, int end, Plane* residual,
+                       AliasingMap& aliasing);
 void UpdateReference(const SrJob& job, int begin, int end, SrScratch& scratch,
                      const MutableImageView& out);
 void DepthRangeReference(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest);

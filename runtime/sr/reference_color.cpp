@@ -73,24 +73,48 @@ Rgb UpdateFromSamples(const SrJob& job, int x, int y, const Rgb& predicted, floa
   return q;
 }
 
-Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, float validity) {
-  const Parameters& parameters = job.options.parameters;
-  const float share =
-      validity *
-      BlendShare(parameters.blend_a, SampleWeight(parameters.blend_b, Distance(job, x, y, 0, 0)));
+// Bilinear among the samples at output pixel (x, y), which may be beyond the outermost ones.
+float BilinearAt(const SrJob& job, const Plane& plane, int x, int y) {
   const int i = job.x.cell()[x];
   const int j = job.y.cell()[y];
-  const float fx = job.x.fraction()[x];
   const float fy = job.y.fraction()[y];
+  const float* upper = plane.Row(j) + i;
+  const float* lower = plane.Row(j + 1) + i;
+  const float left = upper[0] + fy * (lower[0] - upper[0]);
+  const float right = upper[1] + fy * (lower[1] - upper[1]);
+  return left + job.x.fraction()[x] * (right - left);
+}
+
+Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, float validity,
+                       float smoothing) {
+  const Parameters& parameters = job.options.parameters;
+  const float share =
+      validity * (1 - smoothing) *
+      BlendShare(parameters.blend_a, SampleWeight(parameters.blend_b, Distance(job, x, y, 0, 0)));
+  const float current_share = validity * smoothing * kSmoothShare;
   Rgb q;
   for (int c = 0; c < 3; ++c) {
-    const float* upper = job.residual[c].Row(j) + i;
-    const float* lower = job.residual[c].Row(j + 1) + i;
-    const float left = upper[0] + fy * (lower[0] - upper[0]);
-    const float right = upper[1] + fy * (lower[1] - upper[1]);
-    q.c[c] = predicted.c[c] + share * (left + fx * (right - left));
+    const float current = BilinearAt(job, job.planes.color[c], x, y);
+    q.c[c] = predicted.c[c] + share * BilinearAt(job, job.residual[c], x, y) +
+             current_share * (current - predicted.c[c]);
   }
   return q;
+}
+
+// Of the residuals of columns [first, last) and rows [begin, end).
+float TileVariance(const Plane* residual, int first, int last, int begin, int end) {
+  float squares = 0;
+  float sums[3] = {};
+  for (int c = 0; c < 3; ++c) {
+    for (int j = begin; j < end; ++j) {
+      for (int i = first; i < last; ++i) {
+        const float r = residual[c].Row(j)[i];
+        sums[c] += r;
+        squares += r * r;
+      }
+    }
+  }
+  return ResidualVariance(squares, sums, (last - first) * (end - begin));
 }
 
 }  // namespace
@@ -216,7 +240,8 @@ void PredictReference(const SrJob& job, int begin, int end, SrScratch& scratch) 
   }
 }
 
-void ResidualReference(const SrJob& job, int begin, int end, Plane* residual) {
+void ResidualReference(const SrJob& job, int begin, int end, Plane* residual,
+                       AliasingMap& aliasing) {
   const int last_x = job.x.output() - 1;
   const int last_y = job.y.output() - 1;
   const float slack = ResidualSlack(job.next.format);
@@ -241,18 +266,28 @@ void ResidualReference(const SrJob& job, int begin, int end, Plane* residual) {
     }
     for (int c = 0; c < 3; ++c) residual[c].ExtendRow(j);
   }
+  if (!SmoothsAliasing(job.options)) return;
+  float* variances = aliasing.Variances(begin / kAliasingTile);
+  for (int first = 0; first < job.x.render(); first += kAliasingTile) {
+    const int last = std::min(first + kAliasingTile, job.x.render());
+    *variances++ = TileVariance(residual, first, last, begin, end);
+  }
 }
 
-void UpdateReference(const SrJob& job, int begin, int end, SrScratch&,
+void UpdateReference(const SrJob& job, int begin, int end, SrScratch& scratch,
                      const MutableImageView& out) {
+  float* smoothing = scratch.render_rows.Row(0);
   for (int y = begin; y < end; ++y) {
+    const bool smooth =
+        SmoothsAliasing(job.options) && job.aliasing->FillRow(job.y.cell()[y], smoothing);
     for (int x = 0; x < job.x.output(); ++x) {
       Rgb q = {{Load(job.next, x, y, 0), Load(job.next, x, y, 1), Load(job.next, x, y, 2)}};
       if (KeepsHistory(job.options)) {
         const float validity = Load(job.next, x, y, 3);
         q = FormOf(job.options) == HistoryForm::kSample
                 ? UpdateFromSamples(job, x, y, q, validity)
-                : UpdateFromResidual(job, x, y, q, validity);
+                : UpdateFromResidual(job, x, y, q, validity,
+                                     smooth ? smoothing[job.x.cell()[x]] : 0.0f);
       }
       for (float& channel : q.c) channel = Limit(channel);
       for (int c = 0; c < 3; ++c) Store(job.next, x, y, c, q.c[c]);

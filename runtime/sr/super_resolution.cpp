@@ -56,6 +56,7 @@ struct SuperResolution::State {
   RenderPlanes planes;
   Plane nearest_before, farthest_before;  // with a depth gate
   Plane residual[3];                      // in the residual form
+  AliasingMap aliasing;                   // in the adaptive form
   ImageBuffer history;                    // where it is warped
   ImageBuffer next;
   std::unique_ptr<MotionFilter> filter;
@@ -84,6 +85,9 @@ inline SuperResolution::State::State(const SuperResolutionOptions& chosen, Execu
   if (HasResidual(options)) {
     for (Plane& channel : residual) channel = plane();
   }
+  if (SmoothsAliasing(options)) {
+    aliasing = AliasingMap(options.render_width, options.render_height, x.scale() * y.scale());
+  }
   if (WarpsHistory(options)) {
     history = ImageBuffer(options.output_width, options.output_height, HistoryFormatOf(options));
   }
@@ -107,7 +111,8 @@ inline SrJob SuperResolution::State::Job() const {
           has_history,
           history.view(),
           {},
-          residual};
+          residual,
+          &aliasing};
 }
 
 inline MotionView SuperResolution::State::Filtered(const RenderedFrame& frame) {
@@ -149,9 +154,11 @@ inline void SuperResolution::State::Process(const RenderedFrame& frame,
   job.next = next.view();
   Predict(job);
   if (HasResidual(options)) {
-    ForBands(render_rows,
-             [&](int begin, int end, SrScratch&) { passes.residual(job, begin, end, residual); });
+    ForBands(render_rows, [&](int begin, int end, SrScratch&) {
+      passes.residual(job, begin, end, residual, aliasing);
+    });
   }
+  if (SmoothsAliasing(options)) aliasing.Finish();
   ForBands(options.output_height, [&](int begin, int end, SrScratch& worker) {
     passes.update(job, begin, end, worker, out);
   });
@@ -219,9 +226,9 @@ FrameTiles SuperResolution::Tiles() const {
 std::size_t SuperResolution::MemoryBytes() const {
   const State& s = *state_;
   std::size_t bytes = s.x.bytes() + s.y.bytes() + s.planes.bytes() + s.nearest_before.bytes() +
-                      s.farthest_before.bytes() + 3 * s.residual[0].bytes() + s.history.bytes() +
-                      s.next.bytes() + s.filtered.bytes() + s.geometry_depth.bytes() +
-                      s.geometry_motion.bytes();
+                      s.farthest_before.bytes() + 3 * s.residual[0].bytes() + s.aliasing.bytes() +
+                      s.history.bytes() + s.next.bytes() + s.filtered.bytes() +
+                      s.geometry_depth.bytes() + s.geometry_motion.bytes();
   if (s.filter) bytes += s.filter->MemoryBytes();
   for (const SrScratch& scratch : s.scratch) bytes += scratch.bytes();
   return bytes;

@@ -13,8 +13,29 @@ HWY_BEFORE_NAMESPACE();
 namespace warplut {
 namespace HWY_NAMESPACE {
 
+// Of the residuals of columns [first, last) and rows [begin, end); `first` is a whole number of tiles.
+HWY_INLINE float TileVariance(const Plane* residual, int first, int last, int begin, int end) {
+  const FloatTag d;
+  auto squares = hn::Zero(d);
+  float sums[3];
+  for (int c = 0; c < 3; ++c) {
+    auto sum = hn::Zero(d);
+    for (int i = first; i < last; i += kLanes) {
+      const auto inside = hn::FirstN(d, static_cast<std::size_t>(std::min(last - i, kLanes)));
+      for (int j = begin; j < end; ++j) {
+        const auto r = hn::IfThenElseZero(inside, hn::LoadU(d, residual[c].Row(j) + i));
+        sum = hn::Add(sum, r);
+        squares = hn::MulAdd(r, r, squares);
+      }
+    }
+    sums[c] = hn::GetLane(hn::SumOfLanes(d, sum));
+  }
+  const float sum_of_squares = hn::GetLane(hn::SumOfLanes(d, squares));
+  return ResidualVariance(sum_of_squares, sums, (last - first) * (end - begin));
+}
+
 // The prediction at a sample is a 4 x 4 window of it: what the warp sums.
-inline void Residual(const SrJob& job, int begin, int end, Plane* residual) {
+inline void Residual(const SrJob& job, int begin, int end, Plane* residual, AliasingMap& aliasing) {
   const FloatTag d;
   const TapPolynomials taps(Filter::kCatmullRom);
   const ImageView predicted = InFormat(kPipeline.sr.history_format, job.next);
@@ -49,6 +70,12 @@ inline void Residual(const SrJob& job, int begin, int end, Plane* residual) {
     }
     for (int c = 0; c < 3; ++c) residual[c].ExtendRow(j);
   }
+  if (!SmoothsAliasing(job.options)) return;
+  float* variances = aliasing.Variances(begin / kAliasingTile);
+  for (int first = 0; first < job.x.render(); first += kAliasingTile) {
+    const int last = std::min(first + kAliasingTile, job.x.render());
+    *variances++ = TileVariance(residual, first, last, begin, end);
+  }
 }
 
 HWY_INLINE Floats DistanceOf(Floats dx, Floats dy) {
@@ -65,19 +92,31 @@ HWY_INLINE Floats BlendShares(float a, Floats weight) {
   return hn::Min(hn::Mul(hn::Set(d, a), weight), hn::Set(d, 1.0f));
 }
 
-// Adds the residual rows, mixed for row y, to kLanes pixels, whose alpha is the validity.
-HWY_INLINE void AddResidual(const SrJob& job, int x, int y, const Plane& mixed, Pixels& p) {
+// Rows of the scratch, mixed for a row of the output but the smoothing.
+enum UpdateRow { kResidualRow, kColorRow = 3, kSmoothingRow = 6 };
+
+// UpdateFromResidual for kLanes pixels, whose alpha is the validity; `smooths` says whether there is a row of smoothing.
+HWY_INLINE void AddResidual(const SrJob& job, int x, int y, const Plane& rows, bool smooths,
+                            Pixels& p) {
   const FloatTag d;
   const Parameters& parameters = job.options.parameters;
   const auto distance = DistanceOf(hn::LoadU(d, job.x.offset() + x), hn::Set(d, job.y.offset()[y]));
-  const auto share =
+  auto share =
       hn::Mul(p.a, BlendShares(parameters.blend_a, SampleWeights(parameters.blend_b, distance)));
-  if (hn::AllTrue(d, hn::Le(share, hn::Zero(d)))) return;
   const Columns cell(job.x.cell(), x);
   const auto t = hn::LoadU(d, job.x.fraction() + x);
-  p.r = hn::MulAdd(share, cell.Mixed(mixed.Row(0), t), p.r);
-  p.g = hn::MulAdd(share, cell.Mixed(mixed.Row(1), t), p.g);
-  p.b = hn::MulAdd(share, cell.Mixed(mixed.Row(2), t), p.b);
+  if (smooths) {
+    const auto smoothing = cell.At(rows.Row(kSmoothingRow));
+    const auto current_share = hn::Mul(p.a, hn::Mul(smoothing, hn::Set(d, kSmoothShare)));
+    share = hn::NegMulAdd(share, smoothing, share);
+    p.r = Mix(p.r, cell.Mixed(rows.Row(kColorRow), t), current_share);
+    p.g = Mix(p.g, cell.Mixed(rows.Row(kColorRow + 1), t), current_share);
+    p.b = Mix(p.b, cell.Mixed(rows.Row(kColorRow + 2), t), current_share);
+  }
+  if (hn::AllTrue(d, hn::Le(share, hn::Zero(d)))) return;
+  p.r = hn::MulAdd(share, cell.Mixed(rows.Row(kResidualRow), t), p.r);
+  p.g = hn::MulAdd(share, cell.Mixed(rows.Row(kResidualRow + 1), t), p.g);
+  p.b = hn::MulAdd(share, cell.Mixed(rows.Row(kResidualRow + 2), t), p.b);
 }
 
 // UpdateFromSamples for kLanes pixels, whose alpha is the validity.
@@ -128,16 +167,27 @@ inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
   const MutableImageView shown = InFormat(kPipeline.sr.output_format, out);
   const bool residual = HasResidual(options);
   const bool samples = KeepsHistory(options) && !residual;
+  Plane& rows = scratch.render_rows;
+  int smoothing_row = -1;  // of samples
+  bool smooths = false;
   for (int y = begin; y < end; ++y) {
     const int j = job.y.cell()[y];
-    for (int c = 0; c < 3 && residual; ++c) {
-      MixRows(job.residual[c].Row(j), job.residual[c].Row(j + 1), job.y.fraction()[y],
-              job.x.render(), scratch.render_rows.Row(c));
+    const auto mix = [&](const Plane* planes, int first) HWY_ATTR {
+      for (int c = 0; c < 3; ++c) {
+        MixRows(planes[c].Row(j), planes[c].Row(j + 1), job.y.fraction()[y], job.x.render(),
+                rows.Row(first + c));
+      }
+    };
+    if (residual) mix(job.residual, kResidualRow);
+    if (SmoothsAliasing(options) && j != smoothing_row) {
+      smoothing_row = j;
+      smooths = job.aliasing->FillRow(j, rows.Row(kSmoothingRow));
     }
+    if (smooths) mix(job.planes.color, kColorRow);
     for (int x = 0; x < job.x.output(); x += kLanes) {
       const int left = job.x.output() - x;
       Pixels p = LoadPixels(next, x, y, left);
-      if (residual) AddResidual(job, x, y, scratch.render_rows, p);
+      if (residual) AddResidual(job, x, y, rows, smooths, p);
       if (samples) BlendSamples(job, x, y, p);
       p = {Limit(p.r), Limit(p.g), Limit(p.b), hn::Set(d, 1.0f)};
       StorePixels(p, next, x, y, left);

@@ -120,6 +120,12 @@ bool NearestLookup(Pipeline& pipeline) {
   return Filters(pipeline, warp);
 }
 
+bool AdaptiveForm(Pipeline& pipeline) {
+  if (!pipeline.HasHistory() || pipeline.sr.form != HistoryForm::kAdaptive) return false;
+  pipeline.sr.form = HistoryForm::kResidual;
+  return true;
+}
+
 bool SampleForm(Pipeline& pipeline) {
   return pipeline.HasHistory() && Set(pipeline.sr.form, HistoryForm::kSample);
 }
@@ -201,6 +207,8 @@ constexpr Omission kOmissions[] = {
     {"color-box", "history is not limited to the colours around", ColorBox},
     {"variance-box", "history is limited to the least and greatest colour, not by the variance",
      VarianceBox},
+    {"adaptive-form", "the history is updated alike where samples alias and where they do not",
+     AdaptiveForm},
     {"residual-form", "samples enter as themselves, not as differences from the history",
      SampleForm},
     {"history-depth-gate", "history is not rejected by depth", SrDepthGate},

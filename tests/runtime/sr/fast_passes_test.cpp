@@ -98,7 +98,8 @@ TEST(FastPasses, EqualTheReferenceAtEveryScaleAndSize) {
 TEST(FastPasses, EqualTheReferenceInEveryMode) {
   const SuperResolutionOptions base = TestOptions(41, 21, 70, 52);
   std::vector<SuperResolutionOptions> list;
-  for (const HistoryForm form : {HistoryForm::kSample, HistoryForm::kResidual}) {
+  for (const HistoryForm form :
+       {HistoryForm::kSample, HistoryForm::kResidual, HistoryForm::kAdaptive}) {
     for (const ColorClamp clamp : {ColorClamp::kNone, ColorClamp::kBox, ColorClamp::kVariance}) {
       for (const DepthMeasure depth :
            {DepthMeasure::kNone, DepthMeasure::kAbsolute, DepthMeasure::kRelative}) {

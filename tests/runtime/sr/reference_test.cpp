@@ -26,8 +26,8 @@ class TestJob {
   }
 
   SrJob View() const {
-    return {options,    x,          y,    planes, nearest, farthest,
-            x.jitter(), y.jitter(), true, {},     {},      nullptr};
+    return {options,    x,    y,  planes, nearest, farthest, x.jitter(),
+            y.jitter(), true, {}, {},     nullptr, nullptr};
   }
 
   SuperResolutionOptions options;

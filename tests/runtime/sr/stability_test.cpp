@@ -23,7 +23,8 @@ namespace {
 
 std::vector<SuperResolutionOptions> SomeOfEveryOption(const SuperResolutionOptions& base) {
   std::vector<SuperResolutionOptions> list;
-  for (const HistoryForm form : {HistoryForm::kSample, HistoryForm::kResidual}) {
+  for (const HistoryForm form :
+       {HistoryForm::kSample, HistoryForm::kResidual, HistoryForm::kAdaptive}) {
     for (const ColorClamp clamp : {ColorClamp::kNone, ColorClamp::kBox, ColorClamp::kVariance}) {
       for (const PixelFormat format :
            {PixelFormat::kRgba8, PixelFormat::kRgba16F, PixelFormat::kRgba32F}) {

@@ -21,7 +21,8 @@ TestFrame StillFrame(unsigned seed) {
 }
 
 TEST(Static, IsWhatMotionOfZeroGives) {
-  for (const HistoryForm form : {HistoryForm::kSample, HistoryForm::kResidual}) {
+  for (const HistoryForm form :
+       {HistoryForm::kSample, HistoryForm::kResidual, HistoryForm::kAdaptive}) {
     for (const ColorClamp clamp : {ColorClamp::kNone, ColorClamp::kVariance}) {
       for (const PixelFormat format :
            {PixelFormat::kRgba8, PixelFormat::kRgba16F, PixelFormat::kRgba32F}) {
