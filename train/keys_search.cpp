@@ -23,10 +23,10 @@ CanonicalWeights<double> KeysCanonicalWeights(double a) {
   return weights;
 }
 
-std::vector<std::vector<double>> KeysLosses(const Objective& objective) {
-  std::vector<std::vector<double>> losses;
+std::vector<KeysLoss> KeysLosses(const Objective& objective) {
+  std::vector<KeysLoss> losses;
   for (int i = 0; i < KeysCount(); ++i) {
-    losses.push_back(objective.Losses(KeysCanonicalWeights(KeysAt(i))));
+    losses.push_back({KeysAt(i), objective.Losses(KeysCanonicalWeights(KeysAt(i)))});
   }
   return losses;
 }

@@ -17,8 +17,14 @@ inline constexpr double kKeysFirst = -0.50;
 inline constexpr double kKeysLast = -0.86;
 inline constexpr double kKeysStep = 0.02;
 
-// The losses of each of these kernels, in order (Objective::Losses).
-std::vector<std::vector<double>> KeysLosses(const Objective& objective);
+// What a Keys kernel loses (Objective::Losses).
+struct KeysLoss {
+  double a = 0;
+  std::vector<double> losses;
+};
+
+// The losses of each of these kernels, in order.
+std::vector<KeysLoss> KeysLosses(const Objective& objective);
 
 // The parameter a of the Keys kernel with the least L.
 double FitKeys(const Objective& objective);

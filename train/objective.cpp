@@ -49,21 +49,22 @@ Rollout& Objective::AddRollout(std::size_t crop, std::size_t first, std::size_t 
   return rollout;
 }
 
-void Objective::SetBaselines(std::vector<double> baselines) {
+void Objective::SetBaselines(std::vector<double> baselines, double keys_a) {
+  keys_a_ = keys_a;
   baselines_ = std::move(baselines);
   for (double& baseline : baselines_) baseline = std::max(baseline, kLeastBaseline);
 }
 
 void Objective::ScaleBaselines(const Objective& like) {
-  const CanonicalWeights<double> catmull_rom = KeysCanonicalWeights(kCatmullRomA);
-  const std::vector<double> here = Losses(catmull_rom);
-  const std::vector<double> there = like.Losses(catmull_rom);
+  const CanonicalWeights<double> keys = KeysCanonicalWeights(like.keys_a_);
+  const std::vector<double> here = Losses(keys);
+  const std::vector<double> there = like.Losses(keys);
   std::vector<double> baselines(like.baselines_.begin(),
                                 like.baselines_.begin() + protocols_.size());
   for (std::size_t i = 0; i < baselines.size(); ++i) {
     baselines[i] *= here[i] / std::max(there[i], kLeastBaseline);
   }
-  SetBaselines(std::move(baselines));
+  SetBaselines(std::move(baselines), like.keys_a_);
 }
 
 std::vector<double> Objective::Losses(const CanonicalWeights<double>& weights) const {

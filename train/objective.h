@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "luts/filters.h"
 #include "train/rollout.h"
 
 namespace warplut {
@@ -75,9 +76,10 @@ class Objective {
   Rollout& AddRollout(std::size_t crop, std::size_t first, std::size_t count,
                       std::span<const Displacement> trajectory);
 
-  void SetBaselines(std::vector<double> baselines);
+  // `keys_a` is the Keys kernel that stands for the baselines where they are scaled.
+  void SetBaselines(std::vector<double> baselines, double keys_a = kCatmullRomA);
   // The baselines of `like`, which begins with the same protocols, scaled protocol by protocol by
-  // what Catmull-Rom loses here over what it loses there: no Keys kernels are searched.
+  // what its Keys kernel loses here over what it loses there: none is searched.
   void ScaleBaselines(const Objective& like);
 
  private:
@@ -92,6 +94,7 @@ class Objective {
   std::vector<JudgedRollout> rollouts_;
   std::vector<double> rollouts_per_protocol_;
   std::vector<double> baselines_;
+  double keys_a_ = 0;
 };
 
 }  // namespace warplut

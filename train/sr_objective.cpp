@@ -23,8 +23,8 @@ std::vector<Protocol> SrProtocols(const std::vector<int>& horizons, bool with_pa
 
 std::vector<double> LeastKeysLosses(const Objective& objective) {
   std::vector<double> least(objective.protocols().size(), std::numeric_limits<double>::infinity());
-  for (const std::vector<double>& losses : KeysLosses(objective)) {
-    for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], losses[i]);
+  for (const KeysLoss& keys : KeysLosses(objective)) {
+    for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], keys.losses[i]);
   }
   return least;
 }

@@ -10,16 +10,17 @@
 namespace warplut {
 namespace {
 
-std::vector<double> FindBaselines(const Objective& objective, std::size_t horizons) {
+// The baselines, and the kernel that most of them are of.
+KeysLoss FindBaselines(const Objective& objective, std::size_t horizons) {
   const std::size_t n = horizons;
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> least(objective.protocols().size(), infinity);
-  std::vector<double> baselines;
-  for (const std::vector<double>& losses : KeysLosses(objective)) {
-    if (losses[n - 1] < least[n - 1]) baselines = losses;
-    for (std::size_t p = 0; p < losses.size(); ++p) least[p] = std::min(least[p], losses[p]);
+  KeysLoss baselines;
+  for (const KeysLoss& keys : KeysLosses(objective)) {
+    if (keys.losses[n - 1] < least[n - 1]) baselines = keys;
+    for (std::size_t p = 0; p < least.size(); ++p) least[p] = std::min(least[p], keys.losses[p]);
   }
-  std::copy_n(least.begin() + n, n - 1, baselines.begin() + n);
+  std::copy_n(least.begin() + n, n - 1, baselines.losses.begin() + n);
   return baselines;
 }
 
@@ -63,7 +64,8 @@ WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const std::vector
   if (like != nullptr) {
     ScaleBaselines(*like);
   } else {
-    SetBaselines(FindBaselines(*this, count));
+    const KeysLoss found = FindBaselines(*this, count);
+    SetBaselines(found.losses, found.a);
   }
 }
 

@@ -5,7 +5,9 @@
 // (1 - q) (1 - h) and q. Exponents p are large, so that no horizon is bought with another.
 // Baselines are, on the same crops and trajectories: for random offsets the best Keys kernel for
 // that very protocol; for the others, and for the longest random horizon, the Keys kernel that is
-// best for the longest half-pixel horizon, since one half-pixel node must serve all of them.
+// best for the longest half-pixel horizon, since one half-pixel node must serve all of them. With
+// `like` the kernels are those that it found, and that of the half-pixel horizons is measured on
+// the crops at hand: how much better one Keys kernel is than another depends on the content.
 // Source of the loss: Mob-FGSR supplement, section 5; protocols, baselines and the power mean are
 // ours.
 #pragma once
@@ -31,9 +33,8 @@ inline constexpr double kHalfReserve = 1.6;
 // nearest to the longest horizon.
 std::vector<Protocol> MakeProtocols(std::span<const int> horizons, bool with_pan);
 
-// h: most of the weight, since a single node serves all half-pixel warps and the MLP is slow to
-// set it apart.
-inline constexpr double kHalfShare = 0.75;
+// h: as much as all random offsets, though a single node serves all half-pixel warps.
+inline constexpr double kHalfShare = 0.5;
 
 struct WarpObjectiveOptions {
   double power = kProtocolPower;  // p

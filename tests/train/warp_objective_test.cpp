@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,10 +13,11 @@
 namespace warplut {
 namespace {
 
-WarpObjective Make() {
+WarpObjective Make(std::uint64_t first_seed = 0, const Objective* like = nullptr) {
   std::vector<BorderedPlane> crops;
-  for (std::uint64_t i = 0; i < 3; ++i) crops.push_back(ToPlane(NoiseImage(64, 64, i)));
-  return {std::move(crops), {2, 6, 8}, 5, {8, 0.2, 1}};
+  for (std::uint64_t i = 0; i < 3; ++i)
+    crops.push_back(ToPlane(NoiseImage(64, 64, first_seed + i)));
+  return {std::move(crops), {2, 6, 8}, 5, {8, 0.2, 1}, like};
 }
 
 TEST(WarpObjective, ProtocolsAreHalfThenRandomThenPan) {
@@ -50,6 +52,22 @@ TEST(WarpObjective, NoKeysKernelBeatsEveryBaselineAndOneReachesThem) {
   EXPECT_LT(best, 1.2);
   EXPECT_LT(best, objective.Evaluate(KeysCanonicalWeights(-0.4)));
   for (const double baseline : objective.baselines()) EXPECT_GT(baseline, 0);
+}
+
+// The kernel is searched once, on other crops, but what it loses is measured on these.
+TEST(WarpObjective, HalfBaselinesLikeAnotherAreTheLossesOfItsKernelHere) {
+  const WarpObjective like = Make();
+  const WarpObjective objective = Make(10, &like);
+  const auto searched = KeysLosses(like);
+  const auto kernel = std::find_if(searched.begin(), searched.end(), [&](const KeysLoss& keys) {
+    return keys.losses[0] == like.baselines()[0];
+  });
+  ASSERT_NE(kernel, searched.end());
+  const std::vector<double> here = objective.Losses(KeysCanonicalWeights(kernel->a));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(objective.baselines()[i] / here[i], 1, 1e-12) << i;
+    EXPECT_GT(std::abs(objective.baselines()[i] / like.baselines()[i] - 1), 1e-3) << i;
+  }
 }
 
 TEST(WarpObjective, GradientEqualsDifferences) {
