@@ -72,7 +72,43 @@ HWY_INLINE void StorePlanes(const ColorPlanes& from, int count, int x, int y,
   StoreChannels(out.format, channels, 4 * count, out.At(x, y));
 }
 
-// Where the pixels of a row lie in one frame, and the depth there.
+// DepthBits of the 3 x 3 pixels around kLanes pixels that follow each other from (x, y) on, the least of each; columns x - 1 to
+// x + kLanes lie in the image.
+HWY_INLINE auto LeastDepthBits(const ImageView& depth, int x, int y) {
+  const FloatTag d;
+  const hn::RebindToUnsigned<FloatTag> du;
+  auto least = hn::BitCast(du, hn::Set(d, kFarthestDepth));
+  for (int j = -1; j <= 1; ++j) {
+    const float* row = depth.Row<float>(std::clamp(y + j, 0, depth.height - 1)) + x;
+    for (int i = -1; i <= 1; ++i) {
+      least = hn::Min(least, hn::BitCast(du, hn::Add(hn::LoadU(d, row + i), hn::Zero(d))));
+    }
+  }
+  return least;
+}
+
+// LeastDepthAround of kLanes pixels, given that they lie in the image.
+HWY_INLINE void FindLeastDepths(const ImageView& depth, Ints x, Ints y, float* HWY_RESTRICT to) {
+  const FloatTag d;
+  const IntTag di;
+  const TwoRuns runs(x, y, depth.width);
+  const auto apart = [&](int first) { return first > 0 && first + kLanes < depth.width; };
+  if (runs.found && apart(runs.x0) && apart(runs.x1)) {
+    auto least = hn::BitCast(d, LeastDepthBits(depth, runs.x0, runs.y0));
+    if (!hn::AllTrue(d, runs.first)) {
+      least = hn::IfThenElse(runs.first, least,
+                             hn::BitCast(d, LeastDepthBits(depth, runs.x1, runs.y1)));
+    }
+    hn::Store(least, d, to);
+    return;
+  }
+  alignas(64) std::int32_t px[kLanes], py[kLanes];
+  hn::Store(x, di, px);
+  hn::Store(y, di, py);
+  for (int i = 0; i < kLanes; ++i) to[i] = LeastDepthAround(depth, px[i], py[i]);
+}
+
+// Where the pixels of a row lie in one frame, and the least depth around.
 struct alignas(64) SourcePixels {
   alignas(64) float inside[kPixels];  // 1 or 0
   alignas(64) float depth[kPixels];
@@ -89,7 +125,7 @@ HWY_INLINE void FindSources(const GenerationJob& job, const MotionView& motion,
     const auto p =
         FindNearest(job, PixelNumbers(x0 + i), static_cast<float>(y), hn::Neg(mx), hn::Neg(my));
     if (DepthOf(job.options) != DepthMeasure::kNone) {
-      GatherPixels(depth, p.x, p.y, TwoRuns(p.x, p.y, job.width()), to.depth + i);
+      FindLeastDepths(depth, p.x, p.y, to.depth + i);
     }
     hn::Store(hn::IfThenElseZero(p.inside, hn::Set(d, 1.0f)), d, to.inside + i);
   }
@@ -125,8 +161,8 @@ HWY_INLINE Floats FrameShares(const GenerationJob& job, const SourcePixels& sour
   const DepthMeasure measure = DepthOf(job.options);
   const auto depth = measure == DepthMeasure::kNone
                          ? zero
-                         : DepthDifferences(measure, CleanDepths(hn::Load(d, source0.depth + i)),
-                                            CleanDepths(hn::Load(d, source1.depth + i)));
+                         : DepthDifferences(measure, hn::Load(d, source0.depth + i),
+                                            hn::Load(d, source1.depth + i));
   const auto inside0 = hn::Gt(hn::Load(d, source0.inside + i), zero);
   const auto inside1 = hn::Gt(hn::Load(d, source1.inside + i), zero);
   const auto share = InterpolationShares(job, depth, brightness);

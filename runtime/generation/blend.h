@@ -24,7 +24,8 @@ inline float Brightness(const Rgb& v) {
 }
 
 // Share of frame 1 at pixel (x, y), whose motion and warped colours are given: InterpolationShare of the depths at the source
-// positions (those of the nearest pixels) and of the brightness. A source position outside of the image gives way to the other
+// positions and of the brightness. The depth is the least of the 3 x 3 pixels around: pixels beside the foreground hold some of its
+// colour, and where the other frame shows the background clear of it that frame is taken. A source position outside of the image gives way to the other
 // one; if both are, the nearer frame in time counts.
 float FrameShare(const GenerationJob& job, int x, int y, Vector from0, Vector from1,
                  float brightness0, float brightness1);

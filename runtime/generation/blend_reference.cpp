@@ -9,8 +9,9 @@ float FrameShare(const GenerationJob& job, int x, int y, Vector from0, Vector fr
   if (p0.x < 0 && p1.x < 0) return job.alpha >= 0.5f ? 1.0f : 0.0f;
   if (p0.x < 0) return 1.0f;
   if (p1.x < 0) return 0.0f;
-  const float depth = DepthDifference(DepthOf(job.options), DepthAt(job.depth0, p0.x, p0.y),
-                                      DepthAt(job.depth1, p1.x, p1.y));
+  const float depth =
+      DepthDifference(DepthOf(job.options), LeastDepthAround(job.depth0, p0.x, p0.y),
+                      LeastDepthAround(job.depth1, p1.x, p1.y));
   const float brightness = GatesBrightness(job.options) ? brightness0 - brightness1 : kUnlike;
   return InterpolationShare(depth, brightness, job.alpha, job.depth_threshold(),
                             job.options.parameters.brightness_threshold, job.options.gate_width);

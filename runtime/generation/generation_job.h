@@ -1,6 +1,8 @@
 // One call of frame generation as its passes see it, and what they share.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -59,6 +61,21 @@ struct GenerationJob {
 
 inline float DepthAt(const ImageView& depth, int x, int y) {
   return CleanDepth(depth.Row<float>(y)[x]);
+}
+
+// Bits of a depth whose order as integers is that of CleanDepth: what that makes kFarthestDepth is above all numbers.
+inline std::uint32_t DepthBits(float depth) { return std::bit_cast<std::uint32_t>(depth + 0.0f); }
+
+// The least DepthAt of the 3 x 3 pixels around (x, y) that lie in the image.
+inline float LeastDepthAround(const ImageView& depth, int x, int y) {
+  std::uint32_t least = DepthBits(kFarthestDepth);
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, depth.height - 1); ++j) {
+    const float* row = depth.Row<float>(j);
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, depth.width - 1); ++i) {
+      least = std::min(least, DepthBits(row[i]));
+    }
+  }
+  return std::bit_cast<float>(least);
 }
 
 inline Vector MotionAt(const MotionView& motion, int x, int y) {
