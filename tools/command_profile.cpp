@@ -95,7 +95,7 @@ class Content {
  private:
   ProfileClip LoadOne(const Sequence& sequence, const FrameRange& range) const {
     ProfileClip clip;
-    clip.input = pipeline_.Load(sequence, range, {&method_}, Streams::kNone, every());
+    clip.input = pipeline_.Load(sequence, range, {&method_}, Streams::kNone, every(), true);
     if (method_.super_resolution) {
       // Without super resolution the rendered frames are shown, not the references.
       for (ClipFrame& frame : clip.input.frames) frame.reference = ImageBuffer();

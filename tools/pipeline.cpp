@@ -35,6 +35,11 @@ std::optional<int> ParseNumber(std::string_view text) {
   return number;
 }
 
+MotionFiltering FilteringOf(const PipelineArguments& arguments) {
+  if (arguments.motion_filter == "on") return MotionFiltering::kOn;
+  return arguments.motion_filter == "auto" ? MotionFiltering::kQuantised : MotionFiltering::kOff;
+}
+
 }  // namespace
 
 FrameRange ParseFrames(const std::string& text, const Sequence& sequence) {
@@ -138,13 +143,15 @@ std::optional<std::string> Pipeline::ScaleWarning(const Sequence& sequence) cons
 }
 
 Clip Pipeline::Load(const Sequence& sequence, const FrameRange& range,
-                    const std::vector<const MethodInfo*>& methods, Streams more, int every) const {
+                    const std::vector<const MethodInfo*>& methods, Streams more, int every,
+                    bool raw_motion) const {
   Streams which = more;
   for (const MethodInfo* method : methods) {
     which = which | NeededStreams(*method, AvailableStreams(sequence));
   }
   if (arguments_.texels) which = Streams::kOutputGrid;
-  Clip clip = LoadClip(sequence, range.first, range.count, which, every);
+  Clip clip = LoadClip(sequence, range.first, range.count, which, every,
+                       raw_motion ? MotionFiltering::kOff : FilteringOf(arguments_));
   if (arguments_.motion_filter == "auto") clip.quantised_motion = HasQuantisedMotion(clip);
   if (arguments_.texels) TakeTexels(clip);
   return clip;

@@ -64,10 +64,12 @@ class Pipeline {
   // A sentence if the LUT was fitted for another upscale factor than that of the sequence, and what that costs.
   std::optional<std::string> ScaleWarning(const Sequence& sequence) const;
 
-  // The frames of the range with the streams that the methods take and `more`, texels taken if asked for. Error if the
+  // The frames of the range with the streams that the methods take and `more`, texels taken if asked for. Composed
+  // motion is filtered as the arguments say, or not at all (`raw_motion`: the filter itself is looked into). Error if the
   // sequence lacks a stream (LoadFrame), or as TakeTexels.
   Clip Load(const Sequence& sequence, const FrameRange& range,
-            const std::vector<const MethodInfo*>& methods, Streams more, int every) const;
+            const std::vector<const MethodInfo*>& methods, Streams more, int every,
+            bool raw_motion = false) const;
 
  private:
   PipelineArguments arguments_;

@@ -4,9 +4,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "datasets/error.h"
 #include "datasets/image_io.h"
+#include "runtime/motion_filter.h"
 #include "train/image_views.h"
 #include "train/motion_composition.h"
 #include "train/motion_step.h"
@@ -20,12 +22,17 @@ struct GridStreams {
   Image Frame::*motion_image;
   Image Frame::*depth_image;
   bool jittered;
+  float motion_filter_limit;
 };
 
-constexpr GridStreams kRenderGrid = {Streams::kMotion, Streams::kDepth, &Frame::motion,
-                                     &Frame::depth, true};
-constexpr GridStreams kOutputGrid = {Streams::kReferenceMotion, Streams::kReferenceDepth,
-                                     &Frame::reference_motion, &Frame::reference_depth, false};
+constexpr GridStreams kRenderGrid = {
+    Streams::kMotion, Streams::kDepth, &Frame::motion, &Frame::depth, true, kMotionFilterLimit};
+constexpr GridStreams kOutputGrid = {Streams::kReferenceMotion,
+                                     Streams::kReferenceDepth,
+                                     &Frame::reference_motion,
+                                     &Frame::reference_depth,
+                                     false,
+                                     kGenerationMotionFilterLimit};
 
 // The streams that composing the motion among `which` reads.
 Streams ComposedStreams(const Sequence& sequence, Streams which) {
@@ -46,6 +53,32 @@ PixelFormat ColorFormat(const Sequence& sequence, int first, int count, Streams 
     }
   }
   return PixelFormat::kRgba8;
+}
+
+bool IsQuantised(MotionView motion) {
+  constexpr int kRowStep = 4;  // one in so many is looked at
+  motion.height /= kRowStep;
+  motion.stride *= kRowStep;
+  return MotionStep(motion) >= kQuantisedStep;
+}
+
+// Filters the motion of one grid of all frames; of those without depth there is none to filter.
+void FilterMotion(const GridStreams& grid, MotionFiltering filtering, std::vector<Frame>& frames) {
+  const auto quantised = [&](const Frame& frame) {
+    return IsQuantised(ToMotionBuffer(frame.*grid.motion_image).view());
+  };
+  if (filtering == MotionFiltering::kQuantised && std::ranges::none_of(frames, quantised)) return;
+  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
+    Image& motion = frames[i].*grid.motion_image;
+    const Image& depth = frames[i].*grid.depth_image;
+    if (motion.empty() || depth.empty()) return;
+    MotionBuffer filtered = ToMotionBuffer(motion);
+    SerialExecutor executor;
+    MotionFilter(motion.width, motion.height, {grid.motion_filter_limit})
+        .Apply(ToBuffer(depth, PixelFormat::kR32F).view(), filtered.view(), executor,
+               filtered.view());
+    motion = ToImage(std::as_const(filtered).view());
+  });
 }
 
 // Frames of a sequence from index `begin` on, as loaded.
@@ -108,17 +141,14 @@ DisplayedFrame ClipFrame::Displayed() const {
 }
 
 bool HasQuantisedMotion(const Clip& clip) {
-  constexpr int kRowStep = 4;  // one in so many is looked at
-  return std::any_of(clip.frames.begin(), clip.frames.end(), [](const ClipFrame& frame) {
-    MotionView motion = frame.motion.view();
-    if (motion.width == 0) motion = frame.reference_motion.view();
-    motion.height /= kRowStep;
-    motion.stride *= kRowStep;
-    return MotionStep(motion) >= kQuantisedStep;
+  return std::ranges::any_of(clip.frames, [](const ClipFrame& frame) {
+    const MotionView motion = frame.motion.view();
+    return IsQuantised(motion.width > 0 ? motion : frame.reference_motion.view());
   });
 }
 
-Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every) {
+Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every,
+              MotionFiltering filtering) {
   CheckRange(sequence, first, count, every);
   Clip clip;
   clip.name = sequence.name;
@@ -153,6 +183,12 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
     }
     frame.color = frame.reference = Image();
   });
+
+  if (every > 1 && filtering != MotionFiltering::kOff) {
+    for (const GridStreams& grid : {kRenderGrid, kOutputGrid}) {
+      if (Contains(which, grid.motion)) FilterMotion(grid, filtering, loaded);
+    }
+  }
 
   LoadedFrames frames(begin, std::move(loaded));
   tbb::parallel_for(first, first + count, [&](int index) {

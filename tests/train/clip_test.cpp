@@ -46,6 +46,53 @@ TEST(Clip, HasTheStreamsInTheFormsOfTheRuntime) {
   EXPECT_EQ(frame.Displayed().color.data, frame.reference.view().data);
 }
 
+// A zoom: less of the rounding of its motion to whole pixels is left in what is filtered before it is composed.
+TEST(Clip, FiltersQuantisedMotionBeforeItIsComposed) {
+  constexpr int kWidth = 320, kHeight = 240, kFrames = 3;
+  constexpr double kZoom = 0.05;
+  constexpr Streams kStreams = Streams::kReferenceMotion | Streams::kReferenceDepth;
+  const auto write = [&](const std::filesystem::path& folder, bool rounded) {
+    const SequenceWriter writer(
+        folder, StandardSequence("zoom", 0, kFrames, {kWidth / 2, kHeight / 2}, {kWidth, kHeight},
+                                 ColorSpace::kSrgb, kStreams, 0.1, 100));
+    Frame frame;
+    frame.color = Image(kWidth / 2, kHeight / 2, 3);
+    frame.reference_motion = Image(kWidth, kHeight, 2);
+    frame.reference_depth = Image(kWidth, kHeight, 1);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const double mx = kZoom * (x + 0.5 - kWidth / 2), my = kZoom * (y + 0.5 - kHeight / 2);
+        frame.reference_motion.at(x, y, 0) = static_cast<float>(rounded ? std::round(mx) : mx);
+        frame.reference_motion.at(x, y, 1) = static_cast<float>(rounded ? std::round(my) : my);
+        frame.reference_depth.at(x, y) =
+            static_cast<float>(0.3 + 0.05 * std::sin(0.1 * x) * std::sin(0.07 * y));
+      }
+    }
+    for (int i = 0; i < kFrames; ++i) writer.Write(i, frame);
+    writer.Finish();
+    return ReadSequence(folder);
+  };
+  const TemporaryFolder folder;
+  const Sequence exact = write(folder / "exact", false);
+  const Sequence rounded = write(folder / "rounded", true);
+  const auto motion = [&](const Sequence& sequence, MotionFiltering filtering, int every) {
+    const Clip clip = LoadClip(sequence, 0, kFrames, kStreams, every, filtering);
+    return ToImage(clip.frames.back().reference_motion.view()).data;
+  };
+  const std::vector<float> truth = motion(exact, MotionFiltering::kOff, 2);
+  const auto error = [&](MotionFiltering filtering) {
+    const std::vector<float> data = motion(rounded, filtering, 2);
+    double sum = 0;
+    for (std::size_t i = 0; i < data.size(); ++i) sum += std::pow(data[i] - truth[i], 2);
+    return std::sqrt(sum / static_cast<double>(data.size()));
+  };
+  EXPECT_GT(error(MotionFiltering::kOff), 0.3);
+  EXPECT_LT(error(MotionFiltering::kOn), 0.1);
+  EXPECT_EQ(error(MotionFiltering::kQuantised), error(MotionFiltering::kOn));
+  EXPECT_EQ(motion(exact, MotionFiltering::kQuantised, 2), truth);
+  EXPECT_EQ(motion(rounded, MotionFiltering::kOn, 1), motion(rounded, MotionFiltering::kOff, 1));
+}
+
 TEST(Clip, LeavesOutWhatIsNotAskedFor) {
   const TemporaryFolder folder;
   const Clip clip = LoadClip(WritePan(folder / "pan"), 0, 1, Streams::kColor);
