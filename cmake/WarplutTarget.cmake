@@ -11,7 +11,9 @@ if(WARPLUT_SANITIZE)
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(warplut_options INTERFACE -fsanitize=${WARPLUT_SANITIZE})
   # Kernels for fewer instruction sets: they take most of the time to compile.
-  target_compile_definitions(warplut_options INTERFACE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4)")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_definitions(warplut_options INTERFACE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4)")
+  endif()
 endif()
 
 # warplut_library(NAME SOURCES...): a static library with the shared options.

@@ -1,5 +1,7 @@
 #include "runtime/warp_kernels.h"
 
+#include "runtime/instruction_sets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/warp_kernels.cpp"
 #include <hwy/foreach_target.h>

@@ -25,11 +25,9 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Vectors of 4, 8 or 16 floats: one, two or four RGBA texels.
-#if HWY_HAVE_SCALABLE
-using FloatTag = hn::FixedTag<float, 4>;
-#else
+static_assert(!HWY_HAVE_SCALABLE,
+              "the kernels need vectors of known size: runtime/instruction_sets.h");
 using FloatTag = hn::CappedTag<float, kWeights>;
-#endif
 using IntTag = hn::RebindToSigned<FloatTag>;
 inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(FloatTag()));
 using Floats = hn::Vec<FloatTag>;

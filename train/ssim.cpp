@@ -11,6 +11,7 @@
 // Rings of 11 rows keep both passes in cache.
 #include "train/ssim.h"
 
+#include "runtime/instruction_sets.h"
 #include "train/ssim_rows.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "runtime/instruction_sets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "train/stencil.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h

@@ -1,5 +1,7 @@
 #include "runtime/generation/row_kernels.h"
 
+#include "runtime/instruction_sets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/generation/row_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -36,8 +38,11 @@ namespace warplut::generation {
 HWY_EXPORT(Kernels);
 
 RowKernels ReferenceRowKernels() {
-  return {ForwardRowReference, SplatRowReference, TargetMotionRowReference, OwnMotionRowReference,
-          BlendRowReference};
+  // Named, so that the linker can drop it: unnamed constants of a file share a section.
+  static constexpr RowKernels kKernels = {ForwardRowReference, SplatRowReference,
+                                          TargetMotionRowReference, OwnMotionRowReference,
+                                          BlendRowReference};
+  return kKernels;
 }
 
 RowKernels FastRowKernels() { return HWY_DYNAMIC_DISPATCH(Kernels)(); }

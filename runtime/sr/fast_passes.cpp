@@ -1,3 +1,4 @@
+#include "runtime/instruction_sets.h"
 #include "runtime/sr/passes.h"
 #include "runtime/sr/reference.h"
 

@@ -69,9 +69,9 @@ HWY_INLINE Pixels LoadWhole(PixelFormat format, const void* from) {
     return {value(code), value(hn::ShiftRight<8>(code)), value(hn::ShiftRight<16>(code)),
             value(hn::ShiftRight<24>(code))};
   }
-  Pixels p;
-  hn::LoadInterleaved4(d, static_cast<const float*>(from), p.r, p.g, p.b, p.a);
-  return p;
+  Floats r, g, b, a;
+  hn::LoadInterleaved4(d, static_cast<const float*>(from), r, g, b, a);
+  return {r, g, b, a};
 }
 
 HWY_INLINE void StoreWhole(PixelFormat format, const Pixels& p, void* to) {

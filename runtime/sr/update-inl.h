@@ -57,9 +57,9 @@ inline void Residual(const SrJob& job, int begin, int end, Plane* residual, Alia
       ComputeWeights(taps, r);
       SumRow(predicted, r.weights, r);
       for (int p = 0; p < r.padded; p += kLanes) {
-        Pixels sums;
-        hn::LoadInterleaved4(d, r.sums + p * kRgba, sums.r, sums.g, sums.b, sums.a);
-        const Floats channels[3] = {sums.r, sums.g, sums.b};
+        Floats red, green, blue, alpha;
+        hn::LoadInterleaved4(d, r.sums + p * kRgba, red, green, blue, alpha);
+        const Floats channels[3] = {red, green, blue};
         for (int c = 0; c < 3; ++c) {
           const auto sample = hn::LoadU(d, job.planes.color[c].Row(j) + x + p);
           const auto difference = hn::NegMulAdd(channels[c], hn::Set(d, unit), sample);

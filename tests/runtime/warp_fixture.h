@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include <cmath>
 #include <memory>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/instruction_sets.h"
 #include "runtime/pixel.h"
 #include "runtime/warp.h"
 #include "tests/runtime/test_table.h"

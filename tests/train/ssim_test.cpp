@@ -1,10 +1,10 @@
 #include "train/ssim.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <numeric>
 
+#include "runtime/instruction_sets.h"
 #include "train/noise_image.h"
 
 namespace warplut {

@@ -1,9 +1,9 @@
 #include "train/stencil.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include "luts/filters.h"
+#include "runtime/instruction_sets.h"
 #include "train/noise_image.h"
 
 namespace warplut {
