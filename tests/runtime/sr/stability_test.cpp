@@ -1,22 +1,8 @@
 // What must not change: constant images, settled histories, bits for any number of threads, and the heap.
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <vector>
 
+#include "tests/runtime/counted_allocations.h"
 #include "tests/runtime/sr/sr_fixture.h"
-
-namespace {
-std::atomic<int> allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace warplut {
 namespace {
@@ -152,9 +138,9 @@ TEST(Stability, ProcessDoesNotAllocate) {
     ImageBuffer out = OutputOf(options);
     TestFrame frame(31, 17);
     frame.Randomise(1);
-    const int before = allocations;
+    const int before = CountedAllocations();
     for (int i = 0; i < 3; ++i) sr.Process(frame.View(), out.view());
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(CountedAllocations(), before);
   }
 }
 
