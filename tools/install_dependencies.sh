@@ -1,6 +1,8 @@
 #!/bin/sh
 # Installs what the build needs from Debian, if any of it is missing. Needs no network when nothing is missing.
-# usage: tools/install_dependencies.sh [--list]      --list prints the packages and installs nothing
+# usage: tools/install_dependencies.sh [--list | --arm64]
+#   --list    prints the packages and installs nothing
+#   --arm64   instead installs what builds the runtime for 64-bit ARM and runs its tests
 # shellcheck disable=SC2086  # lists of packages are split on purpose
 set -eu
 
@@ -17,14 +19,26 @@ packages="
   gnuplot-nox
 "
 
+arm64_packages="
+  g++-aarch64-linux-gnu cmake ninja-build
+  qemu-user
+  libhwy-dev:arm64
+  libgtest-dev:arm64
+"
+
+foreign=
 case "${1:-}" in
   --list)
     printf '%s\n' $packages
     exit 0
     ;;
+  --arm64)
+    packages=$arm64_packages
+    foreign=arm64
+    ;;
   '') ;;
   *)
-    echo "install_dependencies.sh: '$1' is not an option; the only one is --list." >&2
+    echo "install_dependencies.sh: '$1' is not an option; those are --list and --arm64." >&2
     exit 1
     ;;
 esac
@@ -35,10 +49,20 @@ if ! command -v dpkg-query > /dev/null; then
   exit 1
 fi
 
+# is_installed PACKAGE[:ARCHITECTURE]; one package may be there for several architectures.
+native=$(dpkg --print-architecture)
+is_installed() {
+  case "$1" in
+    *:*) architecture=${1#*:} ;;
+    *) architecture=$native ;;
+  esac
+  dpkg-query --show --showformat='${db:Status-Status} ${Architecture}\n' "$1" 2> /dev/null |
+    grep --quiet --extended-regexp "^installed ($architecture|all)\$"
+}
+
 missing=
 for package in $packages; do
-  state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2> /dev/null || true)
-  if [ "$state" != installed ]; then missing="$missing $package"; fi
+  if ! is_installed "$package"; then missing="$missing $package"; fi
 done
 if [ -z "$missing" ]; then exit 0; fi
 
@@ -55,6 +79,7 @@ fi
 echo "Installing from Debian:$missing"
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
+if [ -n "$foreign" ]; then $as_root dpkg --add-architecture "$foreign"; fi
 if ! { $as_root apt-get update &&
   $as_root env DEBIAN_FRONTEND=noninteractive \
     apt-get install --yes --no-install-recommends $missing; } > "$log" 2>&1; then

@@ -1,17 +1,16 @@
 #!/bin/sh
 # Installs what is missing, builds and runs every test. The last line is 'N passed, N failed, N skipped'.
-# usage: tools/test.sh [--full]
-#   --full   also builds and tests under the sanitizers and the runtime alone, as continuous integration does
+# usage: tools/test.sh [--full | --arm64]
+#   --full    also builds and tests under the sanitizers and the runtime alone, as continuous integration does
+#   --arm64   instead builds the runtime alone for 64-bit ARM and runs its tests in QEMU
 # A build that fails counts as one failed test. Tests on recorded sequences run if WARPLUT_DATA names their folder.
 set -eu
 cd "$(dirname "$0")/.."
 
-full=no
 case "${1:-}" in
-  --full) full=yes ;;
-  '') ;;
+  '' | --full | --arm64) what=${1:-} ;;
   *)
-    echo "test.sh: '$1' is not an option; the only one is --full." >&2
+    echo "test.sh: '$1' is not an option; those are --full and --arm64." >&2
     exit 1
     ;;
 esac
@@ -71,10 +70,17 @@ END
   skipped=$((skipped + run_skipped))
 }
 
+if [ "$what" = --arm64 ]; then
+  tools/install_dependencies.sh --arm64
+  configure_and_build runtime-arm64
+  run_tests runtime-arm64
+  step "done"
+  exit
+fi
 tools/install_dependencies.sh
 configure_and_build ci
 run_tests ci
-if [ "$full" = yes ]; then
+if [ "$what" = --full ]; then
   configure_and_build runtime-only
   run_tests runtime-only
   configure_and_build asan-ubsan test_luts test_runtime test_sr test_generation test_stability test_train

@@ -44,7 +44,8 @@ struct Result {
 std::map<std::string, Result> ResultsOf(const std::string& program,
                                         const std::string& configuration) {
   std::map<std::string, Result> results;
-  for (const std::string& line : Lines(kPrograms.at(program) + " " + configuration)) {
+  for (const std::string& line :
+       Lines(EMULATOR " " + kPrograms.at(program) + " " + configuration)) {
     std::istringstream text(line);
     std::string part;
     Result result;
