@@ -25,6 +25,7 @@ CanonicalWeights<double> KeysCanonicalWeights(double a) {
 
 std::vector<KeysLoss> KeysLosses(const Objective& objective) {
   std::vector<KeysLoss> losses;
+  losses.reserve(static_cast<std::size_t>(KeysCount()));
   for (int i = 0; i < KeysCount(); ++i) {
     losses.push_back({KeysAt(i), objective.Losses(KeysCanonicalWeights(KeysAt(i)))});
   }

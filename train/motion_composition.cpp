@@ -39,9 +39,10 @@ void StepBack(const MotionField& field, Track& track) {
   double total = 0, depth = 0, nearest_weight = -1;
   Vec2 step, nearest = {kNan, kNan};
   for (int k = 0; k < 4; ++k) {
-    const int x = std::min(left + k % 2, motion.width - 1);
-    const int y = std::min(top + k / 2, motion.height - 1);
-    const double weight = (1 - std::abs(u - left - k % 2)) * (1 - std::abs(v - top - k / 2));
+    const int i = k % 2, j = k / 2;
+    const int x = std::min(left + i, motion.width - 1);
+    const int y = std::min(top + j, motion.height - 1);
+    const double weight = (1 - std::abs(u - left - i)) * (1 - std::abs(v - top - j));
     const Vec2 m = MotionAt(motion, x, y);
     if (!IsFinite(m)) continue;
     if (weight > nearest_weight) {

@@ -16,6 +16,7 @@ constexpr double kMeanPower = 1;
 
 std::vector<Protocol> SrProtocols(const std::vector<int>& horizons, bool with_pan) {
   std::vector<Protocol> protocols;
+  protocols.reserve(horizons.size() + 1);
   for (const int warps : horizons) protocols.push_back({warps, Offsets::kRandom});
   if (with_pan) protocols.push_back({kNodes, Offsets::kPan});
   return protocols;

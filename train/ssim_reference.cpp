@@ -5,10 +5,11 @@
 namespace warplut {
 
 std::array<double, kSsimWindow> SsimTaps() {
+  constexpr int kCentre = kSsimWindow / 2;
   std::array<double, kSsimWindow> taps{};
   double sum = 0;
   for (int i = 0; i < kSsimWindow; ++i) {
-    const double t = (i - kSsimWindow / 2) / kSsimSigma;
+    const double t = (i - kCentre) / kSsimSigma;
     taps[i] = std::exp(-0.5 * t * t);
     sum += taps[i];
   }

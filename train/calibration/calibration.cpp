@@ -229,6 +229,7 @@ class Calibration {
       return result_.optima[a].loss < result_.optima[b].loss;
     });
     std::vector<Candidate> sorted;
+    sorted.reserve(order.size());
     for (const std::size_t i : order) sorted.push_back(result_.optima[i]);
     result_.optima = std::move(sorted);
     for (CalibrationStart& start : result_.starts) {

@@ -48,7 +48,7 @@ bool Inside(double coordinate) {
 
 std::optional<Covariance> CovarianceAt(RunLog& log, const SearchSpace& space, float gate_width,
                                        const Point& point) {
-  constexpr double h = kCovarianceStep;
+  const double h = kCovarianceStep;
   Surroundings around(log, space, gate_width, point);
   const std::vector<double>* centre = around.Centre();
   if (centre == nullptr) return std::nullopt;
