@@ -83,7 +83,8 @@ run_tests ci
 if [ "$what" = --full ]; then
   configure_and_build runtime-only
   run_tests runtime-only
-  configure_and_build asan-ubsan test_luts test_runtime test_sr test_generation test_stability test_train
+  configure_and_build asan-ubsan test_datasets test_luts test_runtime test_sr test_generation test_stability \
+    test_train
   run_tests asan-ubsan --exclude-regex '_NOT_BUILT$'
 fi
 step "done"
