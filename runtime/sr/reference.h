@@ -27,6 +27,7 @@ constexpr float ResidualSlack(PixelFormat history) {
     case PixelFormat::kRgba32F:
       return 0x1p-20f;
     case PixelFormat::kRgba8:
+      return 0x1p-9f;
     case PixelFormat::kR32F:
       break;
   }

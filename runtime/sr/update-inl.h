@@ -107,11 +107,13 @@ HWY_INLINE void AddResidual(const SrJob& job, int x, int y, const Plane& rows, b
   const auto t = hn::LoadU(d, job.x.fraction() + x);
   if (smooths) {
     const auto smoothing = cell.At(rows.Row(kSmoothingRow));
-    const auto current_share = hn::Mul(p.a, hn::Mul(smoothing, hn::Set(d, kSmoothShare)));
-    share = hn::NegMulAdd(share, smoothing, share);
-    p.r = Mix(p.r, cell.Mixed(rows.Row(kColorRow), t), current_share);
-    p.g = Mix(p.g, cell.Mixed(rows.Row(kColorRow + 1), t), current_share);
-    p.b = Mix(p.b, cell.Mixed(rows.Row(kColorRow + 2), t), current_share);
+    if (!hn::AllTrue(d, hn::Le(smoothing, hn::Zero(d)))) {
+      const auto current_share = hn::Mul(p.a, hn::Mul(smoothing, hn::Set(d, kSmoothShare)));
+      share = hn::NegMulAdd(share, smoothing, share);
+      p.r = Mix(p.r, cell.Mixed(rows.Row(kColorRow), t), current_share);
+      p.g = Mix(p.g, cell.Mixed(rows.Row(kColorRow + 1), t), current_share);
+      p.b = Mix(p.b, cell.Mixed(rows.Row(kColorRow + 2), t), current_share);
+    }
   }
   if (hn::AllTrue(d, hn::Le(share, hn::Zero(d)))) return;
   p.r = hn::MulAdd(share, cell.Mixed(rows.Row(kResidualRow), t), p.r);

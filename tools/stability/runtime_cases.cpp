@@ -41,8 +41,11 @@ constexpr StabilityCase kCases[] = {
     Runtime("depth NaN infinite or negative", "the bits of the farthest depth", DepthNotFinite),
     Runtime("depth all equal", "the same bits for 0, 1e-30, 1e-3, 1, 1e5, 1e30 as for 0.5",
             DepthAllEqual),
-    Runtime("depth reversed", "sound, and the same image to 1e-6 40 pixels away from the object",
-            DepthReversed),
+    Runtime(
+        "depth reversed",
+        "sound, and the same image to 1e-6 40 pixels away from the object; in the adaptive form, "
+        "which judges regions, to half a code value",
+        DepthReversed),
     Runtime("colour NaN infinite or out of range", kSound, ColorNotFinite),
     Runtime("alpha 0 and 1 and outside", "refused with a sentence that names alpha", AlphaOutside),
     Runtime(
