@@ -37,6 +37,11 @@ constexpr void ConfigureSrSample(SuperResolutionOptions& options) {
   options.form = HistoryForm::kSample;
 }
 
+constexpr void ConfigureSrResidual(SuperResolutionOptions& options) {
+  ConfigureSr(options);
+  options.form = HistoryForm::kResidual;
+}
+
 constexpr void ConfigureSrPaper(SuperResolutionOptions& options) {
   options.form = HistoryForm::kSample;
   options.history = true;
@@ -139,6 +144,7 @@ constexpr MethodInfo kMethods[] = {
     Method<ConfigureSr, ConfigureGeneration, kInterpolation>("isr", "sr, then i"),
     Method<ConfigureSr, ConfigureGeneration, kExtrapolation>("esr", "sr, then e"),
     Method<ConfigureSrSample, nullptr, kNone>("sr-sample", "sr in the sample form"),
+    Method<ConfigureSrResidual, nullptr, kNone>("sr-residual", "sr in the residual form"),
     Method<ConfigureSrPaper, nullptr, kNone>("sr-paper", "sr as the paper has it", true),
     Method<nullptr, ConfigureGenerationPaper, kInterpolation>("i-paper", "i as the paper has it",
                                                               true),

@@ -13,7 +13,7 @@ constexpr GridSize kRender{12, 10}, kOutput{24, 20};
 
 TEST(DifferenceFromStill, SeesThatHistoryAndMotionCount) {
   const Clip clip = PanningGround(kRender, kOutput, 4);
-  for (const char* name : {"sr", "sr-sample", "sr-paper", "i", "e", "isr", "esr"}) {
+  for (const char* name : {"sr", "sr-sample", "sr-residual", "sr-paper", "i", "e", "isr", "esr"}) {
     const MethodInfo& method = *FindMethod(name);
     EXPECT_GT(DifferenceFromStill(clip, method, RunMethod(clip, method), Between::kMean), 0.002)
         << name;
