@@ -1,5 +1,5 @@
 #!/bin/sh
-# From a bare Debian to a trained, baked and judged x2 LUT and a calibrated pipeline that uses it, in about 11 minutes on
+# From a bare Debian to a trained, baked and judged x2 LUT and a calibrated pipeline that uses it, in about 10 minutes on
 # 2 cores.
 # usage: tools/quickstart.sh [--data DIR] [OUT]
 #   --data DIR   also judge the LUT on the sequences and image folders in DIR (default: $WARPLUT_DATA)
