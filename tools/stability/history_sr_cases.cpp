@@ -32,6 +32,7 @@ int Frames(StabilityEffort effort, int quick) {
 // One method with one format of history; its last output is RGBA32F.
 struct SrRun {
   const MethodInfo* method;
+  HistoryForm form;
   PixelFormat format;
   std::unique_ptr<SuperResolution> super_resolution;
   ImageBuffer out;
@@ -60,7 +61,8 @@ std::vector<SrRun> SrRuns(GridSize render, GridSize output, std::span<const Pixe
       method.configure_super_resolution(options);
       if (!options.history) continue;
       if (method.paper) options.parameters = kPaperParameters;
-      runs.push_back({&method, format, std::make_unique<SuperResolution>(options, Serial()),
+      runs.push_back({&method, options.form, format,
+                      std::make_unique<SuperResolution>(options, Serial()),
                       ImageBuffer(output.width, output.height, PixelFormat::kRgba32F)});
     }
   }
@@ -128,6 +130,39 @@ Contrast MeasureContrast(const ImageView& out, const ImageView& reference) {
     }
   }
   return {std::sqrt(error), std::sqrt(output), std::sqrt(content)};
+}
+
+// Of the residual form alone, or of all others.
+StabilityResult Flicker(StabilityEffort effort, bool residual_form) {
+  const int pairs = Frames(effort, 2000) / 2;
+  ClipFrame frames[2];
+  for (int i = 0; i < 2; ++i) {
+    frames[i] = MakeClipFrame(kRender, {});
+    RenderClipFrame(StillNoise, i, {}, frames[i]);
+  }
+  double worst_codes = 0, worst = 0, growth = 0;  // of 8-bit histories, of the others
+  for (SrRun& run : SrRuns(kRender, kOutput, kHistoryFormats)) {
+    if ((run.form == HistoryForm::kResidual) != residual_form) continue;
+    double& most = run.format == PixelFormat::kRgba8 ? worst_codes : worst;
+    ImageBuffer first(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
+    ImageBuffer before(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
+    double early_swing = 0, late_swing = 0;
+    for (int pair = 0; pair < pairs; ++pair) {
+      run.Process(frames[0]);
+      CopyPixels(run.out.view(), first.view());
+      run.Process(frames[1]);
+      late_swing = LargestDifference(run.out.view(), first.view());
+      if (pair == 10) early_swing = late_swing;
+      const double moved = LargestDifference(run.out.view(), before.view());
+      if (pair > 9 * pairs / 10) most = std::max(most, moved);
+      CopyPixels(run.out.view(), before.view());
+    }
+    growth = std::max(growth, late_swing / early_swing);
+  }
+  return {worst <= kHalfCode && worst_codes <= 2 * kHalfCode && growth <= 1.01,
+          fmt::format("from pair to pair after {} {:.2g} of a code value, RGBA8 {:.2g}; swing "
+                      "{:.3f} of that of pair 10",
+                      9 * pairs / 10, 255 * worst, 255 * worst_codes, growth)};
 }
 
 }  // namespace
@@ -239,35 +274,8 @@ StabilityResult SrPan(StabilityEffort effort) {
                       kWindow, count, error, contrast)};
 }
 
-StabilityResult SrFlicker(StabilityEffort effort) {
-  const int pairs = Frames(effort, 2000) / 2;
-  ClipFrame frames[2];
-  for (int i = 0; i < 2; ++i) {
-    frames[i] = MakeClipFrame(kRender, {});
-    RenderClipFrame(StillNoise, i, {}, frames[i]);
-  }
-  double worst_codes = 0, worst = 0, growth = 0;  // of 8-bit histories, of the others
-  for (SrRun& run : SrRuns(kRender, kOutput, kHistoryFormats)) {
-    double& most = run.format == PixelFormat::kRgba8 ? worst_codes : worst;
-    ImageBuffer first(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
-    ImageBuffer before(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
-    double early_swing = 0, late_swing = 0;
-    for (int pair = 0; pair < pairs; ++pair) {
-      run.Process(frames[0]);
-      CopyPixels(run.out.view(), first.view());
-      run.Process(frames[1]);
-      late_swing = LargestDifference(run.out.view(), first.view());
-      if (pair == 10) early_swing = late_swing;
-      const double moved = LargestDifference(run.out.view(), before.view());
-      if (pair > 9 * pairs / 10) most = std::max(most, moved);
-      CopyPixels(run.out.view(), before.view());
-    }
-    growth = std::max(growth, late_swing / early_swing);
-  }
-  return {worst <= kHalfCode && worst_codes <= 2 * kHalfCode && growth <= 1.01,
-          fmt::format("from pair to pair after {} {:.2g} of a code value, RGBA8 {:.2g}; swing "
-                      "{:.3f} of that of pair 10",
-                      9 * pairs / 10, 255 * worst, 255 * worst_codes, growth)};
-}
+StabilityResult SrFlicker(StabilityEffort effort) { return Flicker(effort, false); }
+
+StabilityResult SrFlickerOfResidualForm(StabilityEffort effort) { return Flicker(effort, true); }
 
 }  // namespace warplut

@@ -11,5 +11,6 @@ StabilityResult SrJitterCycle(StabilityEffort effort);
 StabilityResult SrConstantImage(StabilityEffort effort);
 StabilityResult SrPan(StabilityEffort effort);
 StabilityResult SrFlicker(StabilityEffort effort);
+StabilityResult SrFlickerOfResidualForm(StabilityEffort effort);
 
 }  // namespace warplut
