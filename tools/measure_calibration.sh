@@ -41,9 +41,7 @@ rows() {
 }
 
 for scene in street plaza harbour gallery colonnade; do
-  if [ ! -f "$out/scenes/$scene/sequence.json" ]; then
-    "$warplut" dataset render "$scene" --out "$out/scenes" --width 240 --height 136 --scale 2 --frames 6 > /dev/null
-  fi
+  render_missing "$scene" "$out/scenes" --width 240 --height 136 --scale 2 --frames 6
 done
 {
   echo '| fitted | held out | modes | calibrated | default | paper | worse than the paper |'

@@ -8,21 +8,13 @@ set -eu
 # shellcheck source=tools/measuring.sh
 . "$(dirname "$0")/measuring.sh"
 
-render() { # render SCENE FOLDER OPTION...
-  scene=$1 folder=$2
-  shift 2
-  if [ ! -f "$folder/$scene/sequence.json" ]; then
-    "$warplut" dataset render "$scene" --out "$folder" --samples 16 "$@" > /dev/null
-  fi
-}
-
 # After 24 warps by half a pixel: original, Catmull-Rom, LUT.
-render gallery "$out/images" --width 360 --height 204 --frames 1 --streams color,reference
+render_missing gallery "$out/images" --width 360 --height 204 --frames 1 --samples 16 --streams color,reference
 "$warplut" eval --images "$out/images/gallery" --lut luts/baked/warplut_x2.json --warps 6 --pictures "$out/pictures" > /dev/null
 
 # Where methods err most and where most was just revealed.
 for scene in gallery harbour colonnade; do
-  render "$scene" "$out/sequences" --width 640 --height 360 --frames 9
+  render_missing "$scene" "$out/sequences" --width 640 --height 360 --frames 9 --samples 16
 done
 "$warplut" eval --sequence "$out"/sequences/* --lut luts/baked/warplut_sr_x2.json --modes sr,i --pictures "$out/pictures" \
   | grep 'png: '

@@ -59,11 +59,7 @@ scales() {
   : > "$table.part"
   for scale in 1.5 1.7 3; do
     for scene in gallery harbour colonnade; do
-      folder=$out/scenes-x$scale
-      if [ ! -f "$folder/$scene/sequence.json" ]; then
-        "$warplut" dataset render "$scene" --out "$folder" --scale "$scale" --width 714 --height 408 --frames 8 \
-          > /dev/null
-      fi
+      render_missing "$scene" "$out/scenes-x$scale" --scale "$scale" --width 714 --height 408 --frames 8
     done
     printf 'Factor %s:\n\n' "$scale" >> "$table.part"
     "$warplut" eval --sequence "$out/scenes-x$scale"/* --modes sr --markdown \

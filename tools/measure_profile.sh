@@ -14,10 +14,7 @@ render() {
   scale=$1
   shift
   for scene in "$@"; do
-    if [ ! -f "$out/scenes-x$scale/$scene/sequence.json" ]; then
-      "$warplut" dataset render "$scene" --out "$out/scenes-x$scale" --scale "$scale" --width 480 --height 272 \
-        --frames 12 --samples 8 > /dev/null
-    fi
+    render_missing "$scene" "$out/scenes-x$scale" --scale "$scale" --width 480 --height 272 --frames 12 --samples 8
   done
 }
 

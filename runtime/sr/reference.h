@@ -40,6 +40,9 @@ bool IsSurfaceEdge(const RenderPlanes& planes, int i, int j);
 // The nearest to the camera of the 3 x 3 samples around (i, j); of equal ones the middle one, then the first in reading order.
 Surface NearestSurface(const RenderPlanes& planes, int i, int j);
 
+// Bilinear among the samples of the plane around the centre of output pixel (x, y), which may be beyond the outermost ones.
+float BilinearAt(const SrJob& job, const Plane& plane, int x, int y);
+
 // What is seen at the centre of output pixel (x, y).
 Surface SurfaceAt(const SrJob& job, int x, int y);
 

@@ -73,18 +73,6 @@ Rgb UpdateFromSamples(const SrJob& job, int x, int y, const Rgb& predicted, floa
   return q;
 }
 
-// Bilinear among the samples at output pixel (x, y), which may be beyond the outermost ones.
-float BilinearAt(const SrJob& job, const Plane& plane, int x, int y) {
-  const int i = job.x.cell()[x];
-  const int j = job.y.cell()[y];
-  const float fy = job.y.fraction()[y];
-  const float* upper = plane.Row(j) + i;
-  const float* lower = plane.Row(j + 1) + i;
-  const float left = upper[0] + fy * (lower[0] - upper[0]);
-  const float right = upper[1] + fy * (lower[1] - upper[1]);
-  return left + job.x.fraction()[x] * (right - left);
-}
-
 Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, float validity,
                        float smoothing) {
   const Parameters& parameters = job.options.parameters;

@@ -30,17 +30,16 @@ Surface NearestSurface(const RenderPlanes& planes, int i, int j) {
   return surface;
 }
 
-namespace {
-
-float Bilinear(const Plane& plane, int i, int j, float fx, float fy) {
+float BilinearAt(const SrJob& job, const Plane& plane, int x, int y) {
+  const int i = job.x.cell()[x];
+  const int j = job.y.cell()[y];
+  const float fy = job.y.fraction()[y];
   const float* upper = plane.Row(j) + i;
   const float* lower = plane.Row(j + 1) + i;
   const float left = upper[0] + fy * (lower[0] - upper[0]);
   const float right = upper[1] + fy * (lower[1] - upper[1]);
-  return left + fx * (right - left);
+  return left + job.x.fraction()[x] * (right - left);
 }
-
-}  // namespace
 
 Surface SurfaceAt(const SrJob& job, int x, int y) {
   const RenderPlanes& planes = job.planes;
@@ -56,14 +55,9 @@ Surface SurfaceAt(const SrJob& job, int x, int y) {
     case MotionUpsampling::kEdgeAware:
       break;
   }
-  const int cell_x = job.x.cell()[x];
-  const int cell_y = job.y.cell()[y];
-  if (IsSurfaceEdge(planes, cell_x, cell_y)) return NearestSurface(planes, i, j);
-  const float fx = job.x.fraction()[x];
-  const float fy = job.y.fraction()[y];
-  return {Bilinear(planes.depth, cell_x, cell_y, fx, fy),
-          Bilinear(planes.motion_x, cell_x, cell_y, fx, fy),
-          Bilinear(planes.motion_y, cell_x, cell_y, fx, fy)};
+  if (IsSurfaceEdge(planes, job.x.cell()[x], job.y.cell()[y])) return NearestSurface(planes, i, j);
+  return {BilinearAt(job, planes.depth, x, y), BilinearAt(job, planes.motion_x, x, y),
+          BilinearAt(job, planes.motion_y, x, y)};
 }
 
 void GeometryReference(const SrJob& job, int begin, int end, SrScratch&,

@@ -55,7 +55,7 @@ struct SuperResolution::State {
   AxisMap x, y;
   RenderPlanes planes;
   Plane nearest_before, farthest_before;  // with a depth gate
-  Plane residual[3];                      // in the residual form
+  Plane residual[3];                      // in the residual and the adaptive form
   AliasingMap aliasing;                   // in the adaptive form
   ImageBuffer history;                    // where it is warped
   ImageBuffer next;
