@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "runtime/choice_list.h"
+
 namespace warplut {
 namespace {
 
@@ -21,16 +23,17 @@ constexpr int kBlendA = ParameterIndex("blend_a");
 constexpr int kBlendB = ParameterIndex("blend_b");
 constexpr int kGamma = ParameterIndex("clamp_gamma");
 
-// The choices of super resolution; what is left of SuperResolutionOptions belongs to the caller.
-constexpr void ConfigureSr(SuperResolutionOptions& options) {
-  const SuperResolutionOptions ours;
-  options.form = ours.form;
-  options.history = ours.history;
-  options.clamp = ours.clamp;
-  options.depth = ours.depth;
-  options.motion = ours.motion;
-  options.current = ours.current;
+// Takes what a method decides from the defaults; the rest belongs to the caller.
+template <class List, class Options>
+constexpr void TakeDefaults(const List& list, Options& options) {
+  const Options defaults;
+  ForEachChoice(list, [&](const auto& choice) {
+    if (choice.owner != ChoiceOwner::kMethod) return;
+    options.*choice.option = defaults.*choice.option;
+  });
 }
+
+constexpr void ConfigureSr(SuperResolutionOptions& options) { TakeDefaults(kSrChoices, options); }
 
 constexpr void ConfigureSrSample(SuperResolutionOptions& options) {
   ConfigureSr(options);
@@ -65,16 +68,12 @@ constexpr void ConfigureBilinear(SuperResolutionOptions& options) {
 }
 
 constexpr void ConfigureGeneration(FrameGenerationOptions& options) {
-  const FrameGenerationOptions ours;
-  options.motion_model = ours.motion_model;
-  options.refine = ours.refine;
-  options.fill = ours.fill;
-  options.depth = ours.depth;
-  options.brightness_gate = ours.brightness_gate;
+  TakeDefaults(kGenerationChoices, options);
 }
 
 constexpr void ConfigureGenerationPaper(FrameGenerationOptions& options) {
   options.motion_model = MotionModel::kQuadratic;
+  options.splat = true;
   options.refine = true;
   options.fill = DisocclusionFill::kOwnMotion;
   options.depth = DepthMeasure::kAbsolute;

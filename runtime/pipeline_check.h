@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/choice_list.h"
 #include "runtime/image_check.h"
 #include "runtime/pipeline.h"
 
@@ -23,6 +24,16 @@ bool CheckChoice(const char* thing, const std::optional<T>& choice, T value, std
   return Refuse(
       {thing, " is ", ChoiceName(value), "; this build contains ", ChoiceName(*choice), " alone."},
       why);
+}
+
+// The same for all of a list of choices (runtime/choice_list.h).
+template <class List, class Configuration, class Options>
+bool CheckChoices(const List& list, const Configuration& build, const Options& options,
+                  std::string* why) {
+  return AllChoices(list, [&](const auto& choice) {
+    return choice.owner == ChoiceOwner::kFrames ||
+           CheckChoice(choice.thing, build.*choice.configured, options.*choice.option, why);
+  });
 }
 
 // Otherwise "This build does not contain PART."

@@ -12,18 +12,10 @@ namespace {
 
 // Whether the build contains what the options choose.
 bool AreContained(const FrameGenerationOptions& o, std::string* why) {
-  constexpr const FrameGenerationConfiguration& kGeneration = kPipeline.generation;
   return CheckPart("frame generation", kContainsGeneration, why) &&
          CheckPart("the reference versions of the passes", kPipeline.reference || !o.reference,
                    why) &&
-         CheckChoice("The motion model", kGeneration.motion_model, o.motion_model, why) &&
-         CheckChoice("Splatting", kGeneration.splat, o.splat, why) &&
-         CheckChoice("Refinement", kGeneration.refine, o.refine, why) &&
-         CheckChoice("The fill", kGeneration.fill, o.fill, why) &&
-         CheckChoice("The depth measure", kGeneration.depth, o.depth, why) &&
-         CheckChoice("The brightness gate", kGeneration.brightness_gate, o.brightness_gate, why) &&
-         CheckChoice("The motion filter", kGeneration.motion_filter, o.motion_filter, why) &&
-         CheckChoice("The encoding", kGeneration.encoding, o.encoding, why);
+         CheckChoices(kGenerationChoices, kPipeline.generation, o, why);
 }
 
 // Whether the build takes colour of the formats.

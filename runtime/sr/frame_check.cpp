@@ -11,19 +11,10 @@ namespace {
 
 // Whether the build contains what the options choose.
 bool AreContained(const SuperResolutionOptions& o, std::string* why) {
-  constexpr const SuperResolutionConfiguration& kSr = kPipeline.sr;
   return CheckPart("super resolution", kPipeline.super_resolution, why) &&
          CheckPart("the reference versions of the passes", kPipeline.reference || !o.reference,
                    why) &&
-         CheckChoice("The form", kSr.form, o.form, why) &&
-         CheckChoice("The history", kSr.history, o.history, why) &&
-         CheckChoice("The clamp", kSr.clamp, o.clamp, why) &&
-         CheckChoice("The depth measure", kSr.depth, o.depth, why) &&
-         CheckChoice("The motion", kSr.motion, o.motion, why) &&
-         CheckChoice("The motion filter", kSr.motion_filter, o.motion_filter, why) &&
-         CheckChoice("The current frame", kSr.current, o.current, why) &&
-         CheckChoice("The history format", kSr.history_format, o.history_format, why) &&
-         CheckChoice("The encoding", kSr.encoding, o.encoding, why);
+         CheckChoices(kSrChoices, kPipeline.sr, o, why);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "runtime/choice_list.h"
+
 namespace warplut {
 namespace {
 
@@ -90,21 +92,46 @@ TEST(Method, ConfiguresValidOptionsAndLeavesTheRestAlone) {
   }
 }
 
-// Whatever the options were, the method alone decides what is its own.
+// Whatever the options were, the method alone decides what is its own, and nothing else.
+template <class List, class Options>
+void ExpectOwnChoicesAlone(const List& list, void (*configure)(Options&), Options other) {
+  const Options before = other;
+  Options fresh;
+  configure(fresh);
+  configure(other);
+  ForEachChoice(list, [&](const auto& choice) {
+    if (choice.owner == ChoiceOwner::kFrames) return;
+    const auto& expected = choice.owner == ChoiceOwner::kMethod ? fresh : before;
+    EXPECT_EQ(other.*choice.option, expected.*choice.option) << choice.member;
+  });
+}
+
 TEST(Method, ForgetsTheChoicesOfAnother) {
+  SuperResolutionOptions sr;
+  FindMethod("sr-paper")->configure_super_resolution(sr);
+  FindMethod("bicubic")->configure_super_resolution(sr);
+  sr.form = HistoryForm::kResidual;
+  sr.clamp = ColorClamp::kNone;
+  sr.depth = DepthMeasure::kNone;
+  sr.motion = MotionUpsampling::kNearest;
+  sr.history_format = PixelFormat::kRgba32F;
+  sr.encoding = ColorEncoding::kLinearHdr;
+  FrameGenerationOptions generation;
+  generation.motion_model = MotionModel::kLinear;
+  generation.splat = false;
+  generation.refine = false;
+  generation.fill = DisocclusionFill::kNone;
+  generation.depth = DepthMeasure::kNone;
+  generation.brightness_gate = true;
+  generation.encoding = ColorEncoding::kLinearHdr;
   for (const MethodInfo& method : Methods()) {
-    if (!method.super_resolution) continue;
-    SuperResolutionOptions fresh = Sized(), used = Sized();
-    FindMethod("sr-paper")->configure_super_resolution(used);
-    FindMethod("bilinear")->configure_super_resolution(used);
-    method.configure_super_resolution(fresh);
-    method.configure_super_resolution(used);
-    EXPECT_EQ(fresh.form, used.form) << method.name;
-    EXPECT_EQ(fresh.history, used.history) << method.name;
-    EXPECT_EQ(fresh.clamp, used.clamp) << method.name;
-    EXPECT_EQ(fresh.depth, used.depth) << method.name;
-    EXPECT_EQ(fresh.motion, used.motion) << method.name;
-    EXPECT_EQ(fresh.current, used.current) << method.name;
+    SCOPED_TRACE(method.name);
+    if (method.super_resolution) {
+      ExpectOwnChoicesAlone(kSrChoices, method.configure_super_resolution, sr);
+    }
+    if (method.configure_generation != nullptr) {
+      ExpectOwnChoicesAlone(kGenerationChoices, method.configure_generation, generation);
+    }
   }
 }
 

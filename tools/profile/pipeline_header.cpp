@@ -5,6 +5,8 @@
 #include <cctype>
 #include <optional>
 
+#include "runtime/choice_list.h"
+
 namespace warplut {
 namespace {
 
@@ -55,34 +57,12 @@ class Members {
 
 constexpr int kIndent = 4;
 
-Members MembersOf(const SuperResolutionConfiguration& sr) {
+template <class List, class Configuration>
+Members MembersOf(const List& list, const Configuration& configuration) {
   Members members(2 * kIndent);
-  members.Add("form", sr.form);
-  members.Add("history", sr.history);
-  members.Add("clamp", sr.clamp);
-  members.Add("depth", sr.depth);
-  members.Add("motion", sr.motion);
-  members.Add("motion_filter", sr.motion_filter);
-  members.Add("current", sr.current);
-  members.Add("history_format", sr.history_format);
-  members.Add("color_format", sr.color_format);
-  members.Add("output_format", sr.output_format);
-  members.Add("encoding", sr.encoding);
-  return members;
-}
-
-Members MembersOf(const FrameGenerationConfiguration& generation) {
-  Members members(2 * kIndent);
-  members.Add("motion_model", generation.motion_model);
-  members.Add("splat", generation.splat);
-  members.Add("refine", generation.refine);
-  members.Add("fill", generation.fill);
-  members.Add("depth", generation.depth);
-  members.Add("brightness_gate", generation.brightness_gate);
-  members.Add("motion_filter", generation.motion_filter);
-  members.Add("color_format", generation.color_format);
-  members.Add("output_format", generation.output_format);
-  members.Add("encoding", generation.encoding);
+  ForEachChoice(list, [&](const auto& choice) {
+    members.Add(choice.member, configuration.*choice.configured);
+  });
   return members;
 }
 
@@ -113,8 +93,8 @@ std::string Initializer(const PipelineConfiguration& configuration) {
   members.Add("reference", configuration.reference, defaults.reference);
   members.Add("filter", configuration.filter);
   members.Add("lookup", configuration.lookup);
-  members.AddGroup("sr", MembersOf(configuration.sr));
-  members.AddGroup("generation", MembersOf(configuration.generation));
+  members.AddGroup("sr", MembersOf(kSrChoices, configuration.sr));
+  members.AddGroup("generation", MembersOf(kGenerationChoices, configuration.generation));
   return fmt::format("{{\n{}}}", members.text());
 }
 

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <string>
 
+#include "runtime/choice_list.h"
 #include "tests/runtime/pipelines/lean_configurations.h"
 #include "tests/runtime/pipelines/moving_scene.h"
 
@@ -13,35 +14,17 @@ namespace {
 constexpr int kWidth = 150, kHeight = 70;  // larger than a tile
 constexpr int kFrames = 6;
 
-template <class T>
-void Set(const std::optional<T>& choice, T& option) {
-  option = choice.value_or(option);
-}
-
-SuperResolutionOptions Configured(const PipelineConfiguration& c, SuperResolutionOptions options) {
-  Set(c.sr.form, options.form);
-  Set(c.sr.history, options.history);
-  Set(c.sr.clamp, options.clamp);
-  Set(c.sr.depth, options.depth);
-  Set(c.sr.motion, options.motion);
-  Set(c.sr.motion_filter, options.motion_filter);
-  Set(c.sr.current, options.current);
-  Set(c.sr.history_format, options.history_format);
-  Set(c.sr.encoding, options.encoding);
-  Set(c.filter, options.warp.filter);
-  return options;
-}
-
-FrameGenerationOptions Configured(const PipelineConfiguration& c, FrameGenerationOptions options) {
-  Set(c.generation.motion_model, options.motion_model);
-  Set(c.generation.splat, options.splat);
-  Set(c.generation.refine, options.refine);
-  Set(c.generation.fill, options.fill);
-  Set(c.generation.depth, options.depth);
-  Set(c.generation.brightness_gate, options.brightness_gate);
-  Set(c.generation.motion_filter, options.motion_filter);
-  Set(c.generation.encoding, options.encoding);
-  Set(c.filter, options.warp.filter);
+// The defaults, with the choices that the configuration makes.
+template <class Options, class List, class Configuration>
+Options Configured(const PipelineConfiguration& whole, const List& list,
+                   const Configuration& configuration) {
+  Options options;
+  ForEachChoice(list, [&](const auto& choice) {
+    if (choice.owner == ChoiceOwner::kFrames) return;
+    auto& option = options.*choice.option;
+    option = (configuration.*choice.configured).value_or(option);
+  });
+  options.warp.filter = whole.filter.value_or(options.warp.filter);
   return options;
 }
 
@@ -65,7 +48,7 @@ class Hash {
 };
 
 void RunSuperResolution(const PipelineConfiguration& configuration) {
-  SuperResolutionOptions options = Configured(configuration, SuperResolutionOptions{});
+  auto options = Configured<SuperResolutionOptions>(configuration, kSrChoices, configuration.sr);
   options.render_width = kWidth;
   options.render_height = kHeight;
   options.output_width = 2 * kWidth;
@@ -90,7 +73,8 @@ void RunSuperResolution(const PipelineConfiguration& configuration) {
 
 template <bool kInterpolates>
 void RunGeneration(const PipelineConfiguration& configuration) {
-  FrameGenerationOptions options = Configured(configuration, FrameGenerationOptions{});
+  auto options = Configured<FrameGenerationOptions>(configuration, kGenerationChoices,
+                                                    configuration.generation);
   options.width = kWidth;
   options.height = kHeight;
   const char* part = kInterpolates ? "interpolation" : "extrapolation";
