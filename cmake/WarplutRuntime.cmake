@@ -45,7 +45,9 @@ function(warplut_runtime_library name)
   target_link_libraries(${name} PUBLIC warplut_contract Threads::Threads PRIVATE hwy::hwy)
   if(arg_PIPELINE)
     get_filename_component(header ${arg_PIPELINE} ABSOLUTE)
-    target_compile_definitions(${name} PUBLIC "WARPLUT_PIPELINE_HEADER=\"${header}\"")
+    # The installed library has the header beside its own (cmake/WarplutInstall.cmake).
+    target_compile_definitions(${name} PUBLIC
+      "WARPLUT_PIPELINE_HEADER=\"$<BUILD_INTERFACE:${header}>$<INSTALL_INTERFACE:PIPELINE.h>\"")
   endif()
   if(NOT MSVC)
     target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)

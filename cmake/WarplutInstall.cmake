@@ -1,0 +1,32 @@
+# What is installed: what a renderer takes, as the package "warplut" of CMake, and the program.
+include(CMakePackageConfigHelpers)
+
+set(headers ${CMAKE_INSTALL_INCLUDEDIR}/warplut)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/warplut)
+
+# warplut::runtime; headers are included as "runtime/..." and "luts/...".
+set_target_properties(warplut_runtime PROPERTIES EXPORT_NAME runtime)
+set_target_properties(warplut_contract PROPERTIES EXPORT_NAME contract)
+set_target_properties(warplut_options PROPERTIES EXPORT_NAME options)
+install(TARGETS warplut_runtime warplut_contract warplut_options
+        EXPORT warplutTargets COMPONENT runtime
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        FILE_SET HEADERS DESTINATION ${headers})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/luts/baked DESTINATION ${headers}/luts COMPONENT runtime
+        FILES_MATCHING PATTERN "*.h")
+if(WARPLUT_PIPELINE)
+  install(FILES ${WARPLUT_PIPELINE} DESTINATION ${headers} RENAME PIPELINE.h COMPONENT runtime)
+endif()
+install(EXPORT warplutTargets NAMESPACE warplut:: DESTINATION ${package} COMPONENT runtime)
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/warplutConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/warplutConfig.cmake
+                              INSTALL_DESTINATION ${package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/warplutConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/warplutConfig.cmake ${PROJECT_BINARY_DIR}/warplutConfigVersion.cmake
+        DESTINATION ${package} COMPONENT runtime)
+
+if(TARGET warplut)
+  install(TARGETS warplut RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+endif()
