@@ -12,6 +12,9 @@ enum class PixelFormat : std::uint8_t { kRgba8, kRgba16F, kRgba32F, kR32F };
 
 inline constexpr PixelFormat kPixelFormats[] = {PixelFormat::kRgba8, PixelFormat::kRgba16F,
                                                 PixelFormat::kRgba32F, PixelFormat::kR32F};
+// Those of colour: of frames, histories and outputs.
+inline constexpr PixelFormat kColorFormats[] = {PixelFormat::kRgba8, PixelFormat::kRgba16F,
+                                                PixelFormat::kRgba32F};
 
 constexpr const char* Name(PixelFormat format) {
   switch (format) {

@@ -17,9 +17,6 @@
 namespace warplut {
 namespace {
 
-constexpr PixelFormat kHistoryFormats[] = {PixelFormat::kRgba8, PixelFormat::kRgba16F,
-                                           PixelFormat::kRgba32F};
-
 // Scales that round to the same hundredth are one.
 constexpr double kSameScale = 0.005;
 
@@ -63,7 +60,7 @@ FrameRange ParseFrames(const std::string& text, const Sequence& sequence) {
 
 std::vector<std::string> HistoryFormatNames() {
   std::vector<std::string> names;
-  for (const PixelFormat format : kHistoryFormats) names.emplace_back(Name(format));
+  for (const PixelFormat format : kColorFormats) names.emplace_back(Name(format));
   return names;
 }
 
@@ -119,7 +116,7 @@ ModeRunOptions Pipeline::Options(const MethodInfo& method, int every) const {
   options.super_resolution.warp = warp_;
   options.super_resolution.parameters = parameters_;
   options.super_resolution.motion_filter = arguments_.motion_filter == "on";
-  for (const PixelFormat format : kHistoryFormats) {
+  for (const PixelFormat format : kColorFormats) {
     if (arguments_.history == Name(format)) options.super_resolution.history_format = format;
   }
   options.generation.warp = warp_;
@@ -136,8 +133,7 @@ std::optional<std::string> Pipeline::ScaleWarning(const Sequence& sequence) cons
   const auto safe = CertifyStability(loaded_->table.view()).any.safe_warps;
   return fmt::format(
       "the LUT '{}' was fitted for x{:.3g} and '{}' has x{:.3g}: history is warped about {} times "
-      "in "
-      "a jitter cycle instead of {}, and {} warps are safe",
+      "in a jitter cycle instead of {}, and {} warps are safe",
       loaded_->name, fitted, sequence.name, wanted, JitterCycle(wanted).size(),
       JitterCycle(fitted).size(), safe ? fmt::format("{}", *safe) : "any number of");
 }

@@ -20,8 +20,7 @@ class ReportKernels : public testing::Test {
 };
 
 TEST_F(ReportKernels, KeepConstantsAndEqualTheReference) {
-  for (const PixelFormat format :
-       {PixelFormat::kRgba8, PixelFormat::kRgba16F, PixelFormat::kRgba32F}) {
+  for (const PixelFormat format : kColorFormats) {
     for (const ResamplingKernel& kernel : kernels_) {
       if (!kernel.Takes(format) || kernel.slow) continue;
       EXPECT_EQ(CheckKernel(kernel, format), "") << Name(format);

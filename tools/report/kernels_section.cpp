@@ -13,9 +13,6 @@
 namespace warplut {
 namespace {
 
-constexpr PixelFormat kFormats[] = {PixelFormat::kRgba8, PixelFormat::kRgba16F,
-                                    PixelFormat::kRgba32F};
-
 constexpr std::size_t kRandom = static_cast<std::size_t>(OffsetSource::kRandom);
 constexpr std::size_t kLong = kErrorWarps.size() - 1;
 
@@ -154,7 +151,7 @@ class KernelStudy {
   }
 
   void Add(std::size_t number) {
-    const PixelFormat format = kFormats[number];
+    const PixelFormat format = kColorFormats[number];
     std::vector<const ResamplingKernel*> right;
     for (const ResamplingKernel& kernel : kernels_) {
       if (!kernel.Takes(format)) continue;
@@ -166,7 +163,7 @@ class KernelStudy {
       }
     }
     const auto progress = [&](double share) {
-      const double formats = std::size(kFormats);
+      const double formats = std::size(kColorFormats);
       inputs_.progress(
           kKeysShare + (1 - kKeysShare) * (static_cast<double>(number) + share) / formats,
           Name(format));
@@ -234,11 +231,11 @@ ReportSection KernelsSection(const ReportInputs& inputs) {
   const SectionTime time(inputs.seconds);
   KernelStudy study(inputs, section);
   section.paragraphs = study.Description();
-  for (std::size_t i = 0; i < std::size(kFormats); ++i) {
+  for (std::size_t i = 0; i < std::size(kColorFormats); ++i) {
     const double before = time.Spent();
     if (i > 0 && time.Lacks(before / static_cast<double>(i))) {
       section.failures.push_back(
-          fmt::format("{} is left out: the time of the section was over.", Name(kFormats[i])));
+          fmt::format("{} is left out: the time of the section was over.", Name(kColorFormats[i])));
       continue;
     }
     study.Add(i);

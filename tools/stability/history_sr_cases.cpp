@@ -141,7 +141,7 @@ StabilityResult Flicker(StabilityEffort effort, bool residual_form) {
     RenderClipFrame(StillNoise, i, {}, frames[i]);
   }
   double worst_codes = 0, worst = 0, growth = 0;  // of 8-bit histories, of the others
-  for (SrRun& run : SrRuns(kRender, kOutput, kHistoryFormats)) {
+  for (SrRun& run : SrRuns(kRender, kOutput, kColorFormats)) {
     if ((run.form == HistoryForm::kResidual) != residual_form) continue;
     double& most = run.format == PixelFormat::kRgba8 ? worst_codes : worst;
     ImageBuffer first(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
@@ -194,7 +194,7 @@ StabilityResult SrJitterCycle(StabilityEffort effort) {
   }
   double worst = 0;
   std::string worst_run;
-  for (SrRun& run : SrRuns(kRender, kOutput, kHistoryFormats)) {
+  for (SrRun& run : SrRuns(kRender, kOutput, kColorFormats)) {
     ImageBuffer before(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
     for (int cycle = 0; cycle < cycles; ++cycle) {
       for (const ClipFrame& frame : frames) run.Process(frame);
@@ -213,7 +213,7 @@ StabilityResult SrJitterCycle(StabilityEffort effort) {
 StabilityResult SrConstantImage(StabilityEffort effort) {
   constexpr float kColor[3] = {0.2f, 0.6f, 1.0f};  // codes: an 8-bit history holds no others
   const int count = Frames(effort, 500);
-  std::vector<SrRun> runs = SrRuns(kRender, kOutput, kHistoryFormats);
+  std::vector<SrRun> runs = SrRuns(kRender, kOutput, kColorFormats);
   ClipFrame frame = MakeClipFrame(kRender, {});
   double worst = 0;
   for (int i = 0; i < count; ++i) {
@@ -245,7 +245,7 @@ StabilityResult SrPan(StabilityEffort effort) {
   constexpr GridSize kSmall{24, 20}, kLarge{48, 40};
   constexpr int kWindow = 100;  // frames that early and late are taken over
   const int count = Frames(effort, 600);
-  std::vector<SrRun> runs = SrRuns(kSmall, kLarge, kHistoryFormats);
+  std::vector<SrRun> runs = SrRuns(kSmall, kLarge, kColorFormats);
   std::vector<Contrast> early(runs.size()), late(runs.size());
   ClipFrame frame = MakeClipFrame(kSmall, kLarge);
   const auto add = [](Contrast& sum, const Contrast& one) {

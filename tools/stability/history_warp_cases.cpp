@@ -98,13 +98,13 @@ LoopInput WaveInput(const Wave& wave, int size, double amplitude, bool advance) 
 struct FormatsResult {
   bool passed = true;
   std::string text;  // the worst ratio to the prediction, and the size after the last frame
-  LoopResult runs[std::size(kHistoryFormats)];
+  LoopResult runs[std::size(kColorFormats)];
 };
 
 FormatsResult RunFormats(LoopOptions options) {
   FormatsResult all;
-  for (std::size_t i = 0; i < std::size(kHistoryFormats); ++i) {
-    options.format = kHistoryFormats[i];
+  for (std::size_t i = 0; i < std::size(kColorFormats); ++i) {
+    options.format = kColorFormats[i];
     const LoopResult& run = all.runs[i] = RunLoop(options);
     all.passed = all.passed && run.worst_ratio <= 1;
     all.text += fmt::format("{}{} {:.4f} of the bound, size {:.3g} to {:.3g}", i == 0 ? "" : "; ",
@@ -125,7 +125,7 @@ StabilityResult WarpOfStaticImage(StabilityEffort effort) {
   int changed = 0, runs = 0;
   for (const ShippedTable& shipped : ShippedTables()) {
     for (const Lookup lookup : kLookups) {
-      for (const PixelFormat format : kHistoryFormats) {
+      for (const PixelFormat format : kColorFormats) {
         WarpOptions options = Lut(shipped.table, lookup);
         options.general_only = true;
         ImageBuffer image(kWidth, kHeight, format), next(kWidth, kHeight, format);
@@ -163,7 +163,7 @@ StabilityResult WarpOfConstantImage(StabilityEffort effort) {
                           .center = kConstant,
                           .first = FillConstant,
                           .input = {}};
-      for (const PixelFormat format : kHistoryFormats) {
+      for (const PixelFormat format : kColorFormats) {
         options.format = format;
         worst = std::max(worst, RunLoop(options).last);
       }
@@ -189,7 +189,7 @@ StabilityResult WarpOfWorstWave(StabilityEffort) {
                                               .frames = safe,
                                               .first = WaveInput(wave, kSize, kAmplitude, false),
                                               .input = {}});
-    const LoopResult& exact = formats.runs[std::size(kHistoryFormats) - 1];
+    const LoopResult& exact = formats.runs[std::size(kColorFormats) - 1];
     const double growth = exact.last / exact.first;
     const double predicted = std::pow(std::abs(wave.factor), safe);
     result.passed = result.passed && formats.passed && growth <= kSafeGrowth &&
@@ -229,7 +229,7 @@ StabilityResult LoopOfWorstWave(StabilityEffort effort) {
                                               .frames = Frames(effort),
                                               .first = input,
                                               .input = input});
-    const LoopResult& exact = formats.runs[std::size(kHistoryFormats) - 1];
+    const LoopResult& exact = formats.runs[std::size(kColorFormats) - 1];
     const double growth = exact.last / exact.first;
     const double predicted = blend / (1 - (1 - blend) * std::abs(wave.factor));
     result.passed = result.passed && formats.passed && std::abs(growth / predicted - 1) <= 1e-2;
@@ -292,7 +292,7 @@ StabilityResult LoopConstant(StabilityEffort effort) {
                         .center = kConstant,
                         .first = FillConstant,
                         .input = FillConstant};
-    for (const PixelFormat format : kHistoryFormats) {
+    for (const PixelFormat format : kColorFormats) {
       options.format = format;
       worst = std::max(worst, RunLoop(options).last);
     }

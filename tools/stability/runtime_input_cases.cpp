@@ -116,7 +116,7 @@ StabilityResult WarpOddMotion(StabilityEffort) {
   constexpr int kWidth = 37, kHeight = 19;
   int runs = 0;
   double worst = 0;
-  for (const PixelFormat format : kHistoryFormats) {
+  for (const PixelFormat format : kColorFormats) {
     const ImageBuffer history = NoiseImage(kWidth, kHeight, format);
     ImageBuffer odd(kWidth, kHeight, format), still(kWidth, kHeight, format);
     for (const WarpOptions& options : Warps()) {
@@ -138,7 +138,7 @@ StabilityResult WarpFarMotion(StabilityEffort) {
   constexpr int kWidth = 37, kHeight = 19;
   double worst = 0;
   int runs = 0;
-  for (const PixelFormat format : kHistoryFormats) {
+  for (const PixelFormat format : kColorFormats) {
     const ImageBuffer history = NoiseImage(kWidth, kHeight, format);
     ImageBuffer far(kWidth, kHeight, format), corner(kWidth, kHeight, format);
     for (const WarpOptions& options : Warps()) {

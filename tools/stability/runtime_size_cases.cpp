@@ -77,7 +77,7 @@ StabilityResult WarpSizes(StabilityEffort) {
   const double overshoot = Overshoot(StoredHistoryTable()) * (kHigh - kLow) + kCodes;
   double worst = 0, least = 1, largest = 0;
   for (const auto& [width, height] : kSizes) {
-    for (const PixelFormat format : kHistoryFormats) {
+    for (const PixelFormat format : kColorFormats) {
       for (const Lookup lookup : {Lookup::kNearest, Lookup::kBilinear}) {
         const WarpCheck check = CheckWarp(width, height, format, HistoryWarp(lookup));
         worst = std::max(worst, check.worst);
@@ -114,7 +114,7 @@ StabilityResult ConstantAtAnySize(StabilityEffort) {
       std::copy(std::begin(kColor), std::end(kColor), rgba);
     });
     for (const MethodInfo& method : Methods()) {
-      for (const PixelFormat format : kHistoryFormats) {
+      for (const PixelFormat format : kColorFormats) {
         if (!method.super_resolution && format != PixelFormat::kRgba16F) continue;
         for (const ShownImage& shown : RunMethod(clip, method, {.history_format = format})) {
           const ImageView image = shown.image.view();

@@ -70,10 +70,6 @@ ValueRange RangeOf(const ImageView& image);
 // The largest difference of Warp from WarpReference for values in [0, 1], codes as value / 255 (runtime/warp.h).
 double WarpBound(PixelFormat format);
 
-// The formats that a history can have.
-inline constexpr PixelFormat kHistoryFormats[] = {PixelFormat::kRgba8, PixelFormat::kRgba16F,
-                                                  PixelFormat::kRgba32F};
-
 inline constexpr double kHalfCode = 0.5 / 255;
 
 }  // namespace warplut

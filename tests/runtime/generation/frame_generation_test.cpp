@@ -7,9 +7,6 @@
 namespace warplut::generation {
 namespace {
 
-constexpr PixelFormat kColorFormats[] = {PixelFormat::kRgba8, PixelFormat::kRgba16F,
-                                         PixelFormat::kRgba32F};
-
 void Fill(TestImage& image, float r, float g, float b) {
   const float values[] = {r, g, b, 1};
   for (int y = 0; y < image.height(); ++y) {
