@@ -40,12 +40,14 @@ enum class MotionFiltering { kOff, kQuantised, kOn };
 
 // Loads the streams `which` of frames [first, first + count) by index. The motion of every frame is that from the frame `every`
 // before it in the sequence: composed along the frames between, so that a clip can be taken from every `every`-th frame; frames
-// that cannot be composed, as a cut lies between, are cuts. Motion that is composed is filtered before, as `filtering` says (kQuantised: where that of some
-// frame is quantised); motion of one frame, every = 1, is left to the passes. Errors as LoadFrame.
+// that cannot be composed, as a cut lies between, are cuts. Motion that is composed is filtered before, as `filtering` says
+// (kQuantised: where that of some frame is quantised); motion of one frame, every = 1, is left to the passes. Errors as
+// LoadFrame.
 Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1,
               MotionFiltering filtering = MotionFiltering::kOff);
 
-// Whether the motion of some frame is quantised (train/motion_step.h): that of the render grid, or of the output grid where that is not loaded.
+// Whether the motion of some frame is quantised (train/motion_step.h): that of the render grid, or of the output grid where
+// that is not loaded.
 bool HasQuantisedMotion(const Clip& clip);
 
 }  // namespace warplut

@@ -37,8 +37,9 @@ TimeRatio RatioOf(const std::vector<double>& times, const std::vector<double>& t
 
 class PipelineMeter {
  public:
-  // `full`: what clips without references take them from. `options`: times and format of shown frames. Runs that are judged use `threads` threads
-  // (0: one per core), runs that are timed one. `check` is called for every frame that is shown; what it throws ends the run.
+  // `full`: what clips without references take them from. `options`: times and format of shown frames. Runs that are judged use
+  // `threads` threads (0: one per core), runs that are timed one. `check` is called for every frame that is shown; what it
+  // throws ends the run.
   PipelineMeter(std::vector<ProfileClip> clips, const ProfiledPipeline& full,
                 const ModeRunOptions& options, int threads, std::function<void()> check);
 
@@ -48,9 +49,9 @@ class PipelineMeter {
   // Of each clip. An Error if a clip does not fit, or no frame of it can be judged.
   std::vector<PipelineScore> Judge(const ProfiledPipeline& pipeline);
 
-  // Milliseconds of processor time that the passes of each pipeline take for a frame that it makes, mean over the clips: [pipeline][pass]. One
-  // thread; the pipelines take turns, so that what disturbs one pass disturbs all of them alike. The first frame that a run makes does not
-  // count if there are more, and neither does what lies outside of the passes' bands.
+  // Milliseconds of processor time that the passes of each pipeline take for a frame that it makes, mean over the clips:
+  // [pipeline][pass]. One thread; the pipelines take turns, so that what disturbs one pass disturbs all of them alike. The
+  // first frame that a run makes does not count if there are more, and neither does what lies outside of the passes' bands.
   std::vector<std::vector<double>> Time(std::span<const ProfiledPipeline* const> pipelines,
                                         int passes);
 

@@ -36,7 +36,8 @@ struct ProfileReport {
   TimeRatio time_by_tiles;
 };
 
-// One row: time of the full pipeline, that of the chosen one and of the method as it ships as shares of it, the change of SSIM, what was left out.
+// One row: time of the full pipeline, that of the chosen one and of the method as it ships as shares of it, the change of SSIM,
+// what was left out.
 TextTable SummaryTable(const ProfileReport& report);
 
 // Rows: every omission alone.

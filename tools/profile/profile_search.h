@@ -6,10 +6,10 @@
 // 3. What waits and adds no error at all is taken if it is not slower: a pass that is not there has no code and no parameters.
 // 4. On all frames: while the error is beyond the bound, what was taken last is given back.
 //
-// The error is the loss of SSIM, the mean over the judged frames, on the clip where it is greatest; it has the same bits on every
-// machine with the same instructions. Times vary: a saving counts as measured where its median over kRoundPasses passes is at least kLeastSaving of the full
-// time and every pass agrees on its sign. Savings are compared in steps of kSavingStep, so that noise seldom decides; within a step
-// the order of Omissions() does.
+// The error is the loss of SSIM, the mean over the judged frames, on the clip where it is greatest; it has the same bits on
+// every machine with the same instructions. Times vary: a saving counts as measured where its median over kRoundPasses passes
+// is at least kLeastSaving of the full time and every pass agrees on its sign. Savings are compared in steps of kSavingStep, so
+// that noise seldom decides; within a step the order of Omissions() does.
 #pragma once
 
 #include <functional>

@@ -1,9 +1,9 @@
 // How small a table of weights can be on given content: nodes, storage and lookup, against the error that they cause.
 //
-// The runtime looks weights up at kNodes nodes. A table of n = 8 or 16 is run as one of kNodes whose rows are what lookup in the table of n
-// gives: for the bilinear lookup the same weights (up to 2^-22 where the storage is f32); for the nearest lookup offsets
-// within 1 / 64 of the middle between two nodes take the farther of the two on one side. Tables of more than kNodes nodes are not run: they are larger than
-// what the full pipeline has.
+// The runtime looks weights up at kNodes nodes. A table of n = 8 or 16 is run as one of kNodes whose rows are what lookup in
+// the table of n gives: for the bilinear lookup the same weights (up to 2^-22 where the storage is f32); for the nearest lookup
+// offsets within 1 / 64 of the middle between two nodes take the farther of the two on one side. Tables of more than kNodes
+// nodes are not run: they are larger than what the full pipeline has.
 #pragma once
 
 #include <cstddef>
@@ -43,8 +43,8 @@ RealTable ToRealTable(const TableView& view);
 // kNodes intervals and kNodes is a multiple of `nodes`. Errors as RoundTable.
 BakedTable RunnableTable(const RealTable& table, int nodes, TableFormat format, Lookup lookup);
 
-// Runs `pipeline`, whose filter is a LUT, with every smaller table made from `table`, and compares with `full`. `step` is called before every one of
-// them with the share that is done.
+// Runs `pipeline`, whose filter is a LUT, with every smaller table made from `table`, and compares with `full`. `step` is
+// called before every one of them with the share that is done.
 std::vector<SmallerTable> TrySmallerTables(PipelineMeter& meter, const ProfiledPipeline& pipeline,
                                            const RealTable& table,
                                            const std::vector<PipelineScore>& full,

@@ -26,9 +26,9 @@ Image LocalLumaError(const Image& image, const Image& reference, const PixelMask
 // A local luma error beyond this, five codes of eight bits, is a change of shading.
 inline constexpr float kShadingChange = 0.02f;
 
-// The best that blends of the two can do: at each pixel the colour on the segment from a to b, at the share (in [0, 1]) with the least
-// squared distance from the reference over the (2 radius + 1)^2 pixels around it. Radius 0 lets every pixel choose for itself, and so fits noise; a
-// larger one is what a rule could know that looks at more than one pixel.
+// The best that blends of the two can do: at each pixel the colour on the segment from a to b, at the share (in [0, 1]) with
+// the least squared distance from the reference over the (2 radius + 1)^2 pixels around it. Radius 0 lets every pixel choose
+// for itself, and so fits noise; a larger one is what a rule could know that looks at more than one pixel.
 Image BestBlend(const Image& a, const Image& b, const Image& reference, int radius);
 
 // Takes from `from` the pixels around which (as above) it is nearer to the reference.

@@ -48,7 +48,8 @@ using KernelErrors =
 KernelErrors JudgeKernel(const ResamplingKernel& kernel, PixelFormat format,
                          const std::vector<KernelProblem>& problems);
 
-// The Keys parameter with the least mean loss over all sources and both numbers of warps, in float. `on_step` is called before each evaluation.
+// The Keys parameter with the least mean loss over all sources and both numbers of warps, in float. `on_step` is called before
+// each evaluation.
 double BestKeysParameter(const std::vector<KernelProblem>& problems,
                          const std::function<void(double share)>& on_step);
 

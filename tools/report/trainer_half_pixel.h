@@ -23,9 +23,10 @@ struct HalfPixelOptimum {
   int evaluations = 0;
 };
 
-// The least loss over a grid of `grid` x `grid` kernels (grid odd, at least 5) on corner in [-0.06, 0.06] and edge in [-0.16, 0.02], the
-// bounds of what keeps an image for more than a few warps, and then over grids of 5 x 5 around the best one, each of half the
-// spacing of the one before, until it is below kHalfPixelStep. It finds the least of all if the loss has no second valley narrower than the first spacing.
+// The least loss over a grid of `grid` x `grid` kernels (grid odd, at least 5) on corner in [-0.06, 0.06] and edge in [-0.16,
+// 0.02], the bounds of what keeps an image for more than a few warps, and then over grids of 5 x 5 around the best one, each of
+// half the spacing of the one before, until it is below kHalfPixelStep. It finds the least of all if the loss has no second
+// valley narrower than the first spacing.
 HalfPixelOptimum FindHalfPixelOptimum(const std::function<double(const HalfPixelKernel&)>& loss,
                                       int grid);
 

@@ -45,7 +45,8 @@ struct TracePoint {
 };
 
 // From the problem's start of that seed, until `evaluations` are spent or nothing more is gained. One point for each gain, the
-// first for the first evaluation. The same arguments give the same losses. Runs on the calling thread if that lies in an arena of one (TBB).
+// first for the first evaluation. The same arguments give the same losses. Runs on the calling thread if that lies in an arena
+// of one (TBB).
 std::vector<TracePoint> RunTrainer(const TrainerProblem& problem, Trainer trainer,
                                    std::uint64_t seed, int evaluations);
 
