@@ -177,13 +177,10 @@ ReportSection BudgetSection(const ReportInputs& inputs) {
       fmt::format(
           "Motion in halves: a game stores it as a share of the screen from 0 to 1, here in half "
           "floats, as a {} x {} display has it, or in two bytes, with steps 16 to 32 times finer. "
-          "Samples "
-          "(super resolution): the frame before and the shares of new samples are kept, the "
-          "samples "
-          "are values of the reference itself instead of aliased ones of the render grid. What "
-          "remains is resampling: of a loop that repeats its warps, or of one warp where frames "
-          "are "
-          "generated. Frames after a cut are left out.",
+          "Samples (super resolution): the frame before and the shares of new samples are kept, "
+          "the samples are values of the reference itself instead of aliased ones of the render "
+          "grid. What remains is resampling: of a loop that repeats its warps, or of one warp "
+          "where frames are generated. Frames after a cut are left out.",
           kStoredDisplay.width, kStoredDisplay.height),
       "Largest shares in the mean over clips."};
   ReportPlot plot{.id = "budget-ladder",

@@ -168,15 +168,12 @@ void AddResultRow(const ClipStudy& clip, TextTable& table) {
 
 std::vector<std::string> Paragraphs() {
   return {
-      "Super resolution, its parameters T_D, a and b, the others at their defaults; the loss is "
-      "1 - SSIM on hard gates, what warplut calibrate minimises. Every search knows the defaults "
-      "and "
+      "Super resolution, its parameters T_D, a and b, the others at their defaults; the loss is 1 "
+      "- SSIM on hard gates, what warplut calibrate minimises. Every search knows the defaults and "
       "the paper's constants at first, and is charged each run of the pipeline, those with gates "
-      "of "
-      "finite width as well.",
+      "of finite width as well.",
       "Calibration: the search of warplut calibrate with two random starts, without the profiles "
-      "and "
-      "standard errors that follow it. Random: uniform over the ranges, logarithmic where "
+      "and standard errors that follow it. Random: uniform over the ranges, logarithmic where "
       "calibration is. Grid: the best of n x n x n points, a point of the plot for each n."};
 }
 

@@ -248,12 +248,10 @@ ReportSection GrowthSection(const ReportInputs& inputs) {
   ReportSection section{.id = "growth", .title = "Growth with pixels, frames and threads"};
   section.paragraphs = {
       "Default options on synthetic frames with another motion at every pixel, which no tile can "
-      "share: the "
-      "slow case. Super resolution is x2. Times are medians of processor time, with several "
-      "threads of wall time; memory is that of all buffers of the "
-      "object. The exponent k of cost = c x^k is fitted by least squares of the logarithms, with "
-      "its standard error: 1 "
-      "is proportional, 0 does not grow."};
+      "share: the slow case. Super resolution is x2. Times are medians of processor time, with "
+      "several threads of wall time; memory is that of all buffers of the object. The exponent k "
+      "of cost = c x^k is fitted by least squares of the logarithms, with its standard error: 1 is "
+      "proportional, 0 does not grow."};
   GrowthStudy study(inputs, section);
   study.AddPixels();
   study.AddFrames();

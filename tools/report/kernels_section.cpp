@@ -188,13 +188,10 @@ class KernelStudy {
     return {
         fmt::format(
             "An image is warped again and again by displacements that add up to zero, stored in "
-            "its "
-            "format after each warp, and compared with what it was: 1 - SSIM and PSNR of luma "
-            "after "
-            "{} and {} warps, by random offsets, by half a pixel, and by the motion that surfaces "
-            "of "
-            "the sequences have themselves. {} problems: {} of the references, windows of at most "
-            "{} x {} pixels, {} trajectories each.",
+            "its format after each warp, and compared with what it was: 1 - SSIM and PSNR of luma "
+            "after {} and {} warps, by random offsets, by half a pixel, and by the motion that "
+            "surfaces of the sequences have themselves. {} problems: {} of the references, windows "
+            "of at most {} x {} pixels, {} trajectories each.",
             kErrorWarps[0], kErrorWarps[1], problems_.size(), inputs_.clips.size(), e.side, e.side,
             e.trajectories),
         fmt::format(
@@ -203,14 +200,11 @@ class KernelStudy {
             "first compared with what it must equal. The code of the runtime and of OpenCV is "
             "vectorised, plain C++ is not, and turns its history into floats first: a kernel is "
             "dominated by one of comparable code that is no slower and no worse. The exact MLP is "
-            "timed "
-            "on a few rows. The best Keys parameter over all of this is {:.3f}; Catmull-Rom is "
-            "Keys "
-            "with -0.5.",
+            "timed on a few rows. The best Keys parameter over all of this is {:.3f}; Catmull-Rom "
+            "is Keys with -0.5.",
             e.width, e.height, e.repeats, keys_a_),
         "A texture unit makes the 9 or 5 fetches of the Catmull-Rom variants at the price of one "
-        "texel "
-        "each; a processor does not, so their times here say nothing about a GPU."};
+        "texel each; a processor does not, so their times here say nothing about a GPU."};
   }
 
  private:

@@ -96,12 +96,10 @@ ReportSection OmissionsSection(const ReportInputs& inputs) {
   ReportSection section{.id = "omissions", .title = "What content can do without"};
   section.paragraphs = {fmt::format(
       "The full pipeline of {} has every pass on. Each pass is left out or made cheaper alone, "
-      "then greedily several together "
-      "as long as the SSIM lost against the full pipeline stays within {}; one sequence at a time, "
-      "with its first "
-      "frames. Times are shares of that of the full pipeline, processor time of one thread. "
-      "`warplut profile` does the same for "
-      "content as a whole and writes the pipeline that is left as a constexpr configuration.",
+      "then greedily several together as long as the SSIM lost against the full pipeline stays "
+      "within {}; one sequence at a time, with its first frames. Times are shares of that of the "
+      "full pipeline, processor time of one thread. `warplut profile` does the same for content as "
+      "a whole and writes the pipeline that is left as a constexpr configuration.",
       kMethod, kReportWithin)};
   ReportTable summary{
       .id = "omissions",

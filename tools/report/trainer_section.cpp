@@ -278,28 +278,22 @@ std::vector<std::string> Paragraphs(const StudySize& size, std::size_t problems)
           "{} problems, {} seeds, at most {} evaluations for each run. Repeated warps: objective "
           "warp with the bound on gain, in one stage with the exponent by which fits are finally "
           "judged, on {} crops of {} x {} pixels of a frame of each content, with the horizons of "
-          "an "
-          "upscale factor; near starts lie by Catmull-Rom, as in warplut train, far ones do not. "
-          "Half: "
-          "{} half-pixel warps alone, where the best kernel of all has two free weights and is "
-          "found "
-          "by exhaustive search. Fits of a kernel: the MLP against a Keys kernel with the first "
-          "moment of the head.",
+          "an upscale factor; near starts lie by Catmull-Rom, as in warplut train, far ones do "
+          "not. Half: {} half-pixel warps alone, where the best kernel of all has two free weights "
+          "and is found by exhaustive search. Fits of a kernel: the MLP against a Keys kernel with "
+          "the first moment of the head.",
           problems, size.seeds, size.evaluations, size.problems.crops, size.problems.crop_size,
           size.problems.crop_size, size.problems.half_warps),
       "L-BFGS is what warplut train runs, Adam the paper's recipe (learning rate 1e-3), best Keys "
-      "a "
-      "golden section over its one parameter. Levenberg-Marquardt needs residuals that become "
-      "small: "
-      "it applies to the fit of a kernel. Of repeated warps each piece loses 1 - SSIM, which no "
-      "weights bring near to 0, the power mean of pieces is no sum of squares, and a Gauss-Newton "
-      "matrix of some tens of pieces says nothing about 3744 parameters; there it is left out.",
+      "a golden section over its one parameter. Levenberg-Marquardt needs residuals that become "
+      "small: it applies to the fit of a kernel. Of repeated warps each piece loses 1 - SSIM, "
+      "which no weights bring near to 0, the power mean of pieces is no sum of squares, and a "
+      "Gauss-Newton matrix of some tens of pieces says nothing about 3744 parameters; there it is "
+      "left out.",
       "The best known loss is the least of all runs, or the known optimum: of the exhaustive "
-      "search, "
-      "and 0 for the fit of a kernel, which the MLP can come near to without end. An evaluation is "
-      "one of the loss, with or without "
-      "gradient; a step of conjugate gradients inside Levenberg-Marquardt counts as one. Seconds "
-      "are of one processor."};
+      "search, and 0 for the fit of a kernel, which the MLP can come near to without end. An "
+      "evaluation is one of the loss, with or without gradient; a step of conjugate gradients "
+      "inside Levenberg-Marquardt counts as one. Seconds are of one processor."};
 }
 
 }  // namespace

@@ -18,8 +18,7 @@ constexpr StabilityCase kCases[] = {
     GateCase("slope from width 1 to 1e-6", "1 / (2 T w) at the threshold, within 1e-8", GateSlope),
     GateCase("threshold 0",
              "what is equal or nearer passes, at any width; the least number beyond, infinity and "
-             "NaN do "
-             "not",
+             "NaN do not",
              GateAtThresholdZero),
     GateCase("thresholds beyond the range",
              "refused with the parameter's name, and limited by a search", GateBeyondRange),
@@ -42,14 +41,12 @@ constexpr StabilityCase kCases[] = {
              DepthCodesAsDerived),
     GateCase("T_D with 16 bits forward", kDepthRequired, DepthGate16Forward,
              "beyond 6 units one code of depth is more than T_D: a surface whose depth changes by "
-             "a code "
-             "loses its history there and is shown from the current frame alone"),
+             "a code loses its history there and is shown from the current frame alone"),
     GateCase("T_D with 16 bits reversed", kDepthRequired, DepthGate16Reversed,
              "as with 16 bits forward, from 6 units on: integers are as coarse either way round"),
     GateCase("T_D with 24 bits forward", kDepthRequired, DepthGate24Forward,
              "beyond 1500 units one code of depth is more than T_D, and a surface whose depth "
-             "changes by "
-             "a code loses its history"),
+             "changes by a code loses its history"),
     GateCase(
         "T_D with 24 bits reversed", kDepthRequired, DepthGate24Reversed,
         "as with 24 bits forward, from 1500 units on: integers are as coarse either way round"),

@@ -48,8 +48,7 @@ constexpr StabilityCase kCases[] = {
         "settles to two images within half a code value, RGBA8 within one; the swing does not grow",
         SrFlickerOfResidualForm,
         "the swing of the method sr-residual settles slowly, 2.3 percent above that of pair 10; "
-        "after "
-        "some hundred pairs it grows no more"),
+        "after some hundred pairs it grows no more"),
 };
 
 }  // namespace

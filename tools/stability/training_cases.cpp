@@ -56,8 +56,7 @@ constexpr StabilityCase kCases[] = {
         "on the offset; no training starts there"),
     Training("offsets 0, one half and 1 - eps",
              "identity at 0 and at 1 - eps, 8 symmetries at 1/2, each within 32 eps (1 + size of "
-             "F), up to "
-             "saturation",
+             "F), up to saturation",
              HeadAtExtremeOffsets),
     Training("head whose sum vanishes",
              "sums within 1e-15, weights change by at most 9/4 of the raw values' change",
