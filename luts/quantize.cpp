@@ -115,18 +115,4 @@ BakedTable Quantize(const RealTable& table, TableFormat format) {
   return {format, rows};
 }
 
-double QuantizationError(const RealTable& table, const TableView& stored) {
-  const std::vector<IntegerRow> rows = TableIntegers(stored, table.name);
-  double worst = 0;
-  for (int jy = 0; jy < kNodes; ++jy) {
-    for (int ix = 0; ix < kNodes; ++ix) {
-      const Weights<double> w = RealRow(rows[RowIndex(ix, jy)], stored.format);
-      double sum = 0;
-      for (int k = 0; k < kWeights; ++k) sum += std::abs(w[k] - table.Row(ix, jy)[k]);
-      worst = std::max(worst, sum);
-    }
-  }
-  return worst;
-}
-
 }  // namespace warplut

@@ -29,7 +29,4 @@ std::vector<IntegerRow> RoundTable(const RealTable& table, TableFormat format);
 // RoundTable of a table with kNodes intervals, as it is stored.
 BakedTable Quantize(const RealTable& table, TableFormat format);
 
-// The worst sum over a row of |stored weight - weight|.
-double QuantizationError(const RealTable& table, const TableView& stored);
-
 }  // namespace warplut

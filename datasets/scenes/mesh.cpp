@@ -153,18 +153,4 @@ void Mesh::AddTerrain(float half, int cells, const std::function<float(float, fl
   }
 }
 
-void Mesh::Append(const Mesh& other, const Transform& transform) {
-  const auto first = static_cast<std::uint32_t>(positions.size());
-  const Eigen::Affine3f move = transform.cast<float>();
-  const auto scale = static_cast<float>(std::cbrt(std::abs(transform.linear().determinant())));
-  for (std::size_t i = 0; i < other.positions.size(); ++i) {
-    Add(move * other.positions[i], (move.linear() * other.normals[i]).normalized(),
-        other.uvs[i] * scale);
-  }
-  for (std::size_t i = 0; i < other.triangles.size(); ++i) {
-    const auto& t = other.triangles[i];
-    AddTriangle(first + t[0], first + t[1], first + t[2], other.materials[i]);
-  }
-}
-
 }  // namespace warplut::scenes

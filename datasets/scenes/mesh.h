@@ -43,8 +43,6 @@ struct Mesh {
   // Ground over [-half, half]^2, cells x cells quads, at height(x, z).
   void AddTerrain(float half, int cells, const std::function<float(float, float)>& height,
                   int material);
-  // Everything of another mesh, moved by a transform.
-  void Append(const Mesh& other, const Transform& transform);
 };
 
 }  // namespace warplut::scenes

@@ -7,6 +7,7 @@
 
 #include "luts/filters.h"
 #include "luts/quantize.h"
+#include "quantization_error.h"
 #include "test_fits.h"
 
 namespace warplut {

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "luts/symmetry.h"
+#include "quantization_error.h"
 #include "test_fits.h"
 
 namespace warplut {

@@ -12,6 +12,7 @@
 #include "luts/filters.h"
 #include "luts/quantize.h"
 #include "luts/released_layout.h"
+#include "quantization_error.h"
 #include "test_fits.h"
 
 namespace warplut {

@@ -1,7 +1,5 @@
 #include "tools/profile/omission.h"
 
-#include <cstring>
-
 namespace warplut {
 namespace {
 
@@ -226,12 +224,5 @@ constexpr Omission kOmissions[] = {
 }  // namespace
 
 std::span<const Omission> Omissions() { return kOmissions; }
-
-const Omission* FindOmission(const char* name) {
-  for (const Omission& omission : kOmissions) {
-    if (std::strcmp(omission.name, name) == 0) return &omission;
-  }
-  return nullptr;
-}
 
 }  // namespace warplut

@@ -17,7 +17,4 @@ struct Omission {
 // In the order in which the greatest savings are expected: it decides between savings that measurements cannot tell apart.
 std::span<const Omission> Omissions();
 
-// The omission of that name, or null.
-const Omission* FindOmission(const char* name);
-
 }  // namespace warplut
