@@ -115,14 +115,15 @@ ModeRunOptions Pipeline::Options(const MethodInfo& method, int every) const {
   options.alphas = arguments_.alphas;
   options.super_resolution.warp = warp_;
   options.super_resolution.parameters = parameters_;
-  options.super_resolution.motion_filter = arguments_.motion_filter == "on";
+  const MotionFiltering filtering = FilteringOf(arguments_);
+  options.super_resolution.motion_filter = filtering == MotionFiltering::kOn;
   for (const PixelFormat format : kColorFormats) {
     if (arguments_.history == Name(format)) options.super_resolution.history_format = format;
   }
   options.generation.warp = warp_;
   options.generation.parameters = parameters_;
   options.generation.motion_filter = options.super_resolution.motion_filter;
-  options.filter_quantised_motion = arguments_.motion_filter == "auto";
+  options.filter_quantised_motion = filtering == MotionFiltering::kQuantised;
   return options;
 }
 
@@ -146,9 +147,13 @@ Clip Pipeline::Load(const Sequence& sequence, const FrameRange& range,
     which = which | NeededStreams(*method, AvailableStreams(sequence));
   }
   if (arguments_.texels) which = Streams::kOutputGrid;
+  const MotionFiltering filtering = FilteringOf(arguments_);
   Clip clip = LoadClip(sequence, range.first, range.count, which, every,
-                       raw_motion ? MotionFiltering::kOff : FilteringOf(arguments_));
-  if (arguments_.motion_filter == "auto") clip.quantised_motion = HasQuantisedMotion(clip);
+                       raw_motion ? MotionFiltering::kOff : filtering);
+  // Asked of the motion that the passes see: what was filtered before it was composed is not quantised any more.
+  if (filtering == MotionFiltering::kQuantised && !methods.empty()) {
+    clip.quantised_motion = HasQuantisedMotion(clip);
+  }
   if (arguments_.texels) TakeTexels(clip);
   return clip;
 }

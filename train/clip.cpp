@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "datasets/error.h"
@@ -62,12 +63,22 @@ bool IsQuantised(MotionView motion) {
   return MotionStep(motion) >= kQuantisedStep;
 }
 
+// Whether is_so(frame) of some frame; asked on all threads.
+template <class T, class Predicate>
+bool AnyOf(const std::vector<T>& frames, const Predicate& is_so) {
+  std::atomic<bool> found = false;
+  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
+    if (!found && is_so(frames[i])) found = true;
+  });
+  return found;
+}
+
 // Filters the motion of one grid of all frames; of those without depth there is none to filter.
 void FilterMotion(const GridStreams& grid, MotionFiltering filtering, std::vector<Frame>& frames) {
   const auto quantised = [&](const Frame& frame) {
     return IsQuantised(ToMotionBuffer(frame.*grid.motion_image).view());
   };
-  if (filtering == MotionFiltering::kQuantised && std::ranges::none_of(frames, quantised)) return;
+  if (filtering == MotionFiltering::kQuantised && !AnyOf(frames, quantised)) return;
   tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
     Image& motion = frames[i].*grid.motion_image;
     const Image& depth = frames[i].*grid.depth_image;
@@ -141,7 +152,7 @@ DisplayedFrame ClipFrame::Displayed() const {
 }
 
 bool HasQuantisedMotion(const Clip& clip) {
-  return std::ranges::any_of(clip.frames, [](const ClipFrame& frame) {
+  return AnyOf(clip.frames, [](const ClipFrame& frame) {
     const MotionView motion = frame.motion.view();
     return IsQuantised(motion.width > 0 ? motion : frame.reference_motion.view());
   });

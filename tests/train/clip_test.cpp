@@ -75,8 +75,11 @@ TEST(Clip, FiltersQuantisedMotionBeforeItIsComposed) {
   const TemporaryFolder folder;
   const Sequence exact = write(folder / "exact", false);
   const Sequence rounded = write(folder / "rounded", true);
+  const auto load = [&](const Sequence& sequence, MotionFiltering filtering, int every) {
+    return LoadClip(sequence, 0, kFrames, kStreams, every, filtering);
+  };
   const auto motion = [&](const Sequence& sequence, MotionFiltering filtering, int every) {
-    const Clip clip = LoadClip(sequence, 0, kFrames, kStreams, every, filtering);
+    const Clip clip = load(sequence, filtering, every);
     return ToImage(clip.frames.back().reference_motion.view()).data;
   };
   const std::vector<float> truth = motion(exact, MotionFiltering::kOff, 2);
@@ -91,6 +94,10 @@ TEST(Clip, FiltersQuantisedMotionBeforeItIsComposed) {
   EXPECT_EQ(error(MotionFiltering::kQuantised), error(MotionFiltering::kOn));
   EXPECT_EQ(motion(exact, MotionFiltering::kQuantised, 2), truth);
   EXPECT_EQ(motion(rounded, MotionFiltering::kOn, 1), motion(rounded, MotionFiltering::kOff, 1));
+
+  EXPECT_TRUE(HasQuantisedMotion(load(rounded, MotionFiltering::kOff, 1)));
+  EXPECT_FALSE(HasQuantisedMotion(load(exact, MotionFiltering::kOff, 1)));
+  EXPECT_FALSE(HasQuantisedMotion(load(rounded, MotionFiltering::kQuantised, 2)));
 }
 
 TEST(Clip, LeavesOutWhatIsNotAskedFor) {
