@@ -105,7 +105,8 @@ std::string PipelineHeader(const std::vector<std::string>& banner,
     text += line.empty() ? "//\n" : fmt::format("// {}\n", line);
   return text +
          fmt::format(
-             "// clang-format off\n#pragma once\n\n#include \"runtime/pipeline_configuration.h\"\n\n"
+             "// clang-format off\n#pragma once\n\n"
+             "#include \"runtime/pipeline_configuration.h\"\n\n"
              "namespace warplut {{\n\ninline constexpr PipelineConfiguration kPipeline = {};\n\n"
              "}}  // namespace warplut\n",
              Initializer(configuration));
