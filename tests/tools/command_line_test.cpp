@@ -43,6 +43,9 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnow) {
   ExpectRefused(
       RunWarplut({"dataset", "render", "all", "--streams", "color,smell", "--out", Path("out")}),
       kUsage, "smell");
+  ExpectRefused(
+      RunWarplut({"dataset", "render", "all", "--streams", "depth,motion", "--out", Path("out")}),
+      kUsage, "lack color");
   ExpectRefused(RunWarplut({"bake", "fit.json", "--out", Path("out"), "--format", "i4"}), kUsage,
                 "i4");
 }

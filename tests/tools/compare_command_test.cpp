@@ -41,6 +41,8 @@ TEST(CompareImages, RefusesWhatCannotBeCompared) {
   const Image image = WavyImage(40, 30);
   ExpectError([&] { CompareImages("frame 7", image, WavyImage(40, 31), 0); },
               {"frame 7", "40 x 30", "40 x 31"});
+  ExpectError([&] { CompareImages("frame 7", image, WavyImage(40, 30, 4), 0); },
+              {"frame 7", "3 channels", "with 4"});
   ExpectError([&] { CompareImages("frame 7", WavyImage(40, 10), WavyImage(40, 10), 0); },
               {"frame 7", "11 x 11"});
   ExpectError([&] { CompareImages("frame 7", image, image, 10); }, {"frame 7", "31 x 31"});

@@ -75,8 +75,8 @@ TEST_F(EvalCommand, AMissedTargetIsThree) {
 TEST_F(EvalCommand, RefusesWhatMakesNoSense) {
   ExpectRefused(RunWarplut(Eval({"--against", "lanczos"})), 1, "lanczos");
   ExpectRefused(RunWarplut(Eval({"--against", "keys:-7"})), 1, "keys:-7");
-  ExpectRefused(RunWarplut(Eval({"--warps", "3"})), 1, "3");
-  ExpectRefused(RunWarplut(Eval({"--crop", "10"})), 1, "10");
+  ExpectRefused(RunWarplut(Eval({"--warps", "3"})), 1, "--warps has 3");
+  ExpectRefused(RunWarplut(Eval({"--crop", "10"})), 1, "--crop is 10");
   ExpectRefused(RunWarplut(Eval({"--images", WriteWavyImage(Path("small.png"), 42, 60)})), 2,
                 "small.png");
   ExpectRefused(RunWarplut(Eval({"--images", Path("image.png")})), 2, "twice");
