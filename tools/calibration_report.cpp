@@ -42,7 +42,10 @@ const char* StopName(RunLog::Stop stop) {
 }
 
 Json ToJson(const CalibratedParameter& parameter) {
-  Json json = {{"name", InfoOf(parameter).name}, {"value", parameter.value}};
+  Json json = {{"name", InfoOf(parameter).name},
+               {"value", parameter.value},
+               {"optimum", parameter.optimum},
+               {"at_default", parameter.at_base}};
   json["standard_error"] =
       parameter.standard_error ? Json(*parameter.standard_error) : Json(nullptr);
   if (parameter.profiled) json["needed"] = !parameter.NotNeeded();
@@ -59,13 +62,14 @@ Json ToJson(const CalibratedParameter& parameter) {
 std::string Number(double value) { return fmt::format("{:.4g}", value); }
 
 TextTable ParameterTable(const CalibrationResult& result) {
-  TextTable table{.header = {"parameter", "value", "+-", "from", "to", "loss over range", "needed"},
-                  .rows = {}};
+  TextTable table{
+      .header = {"parameter", "kept", "optimum", "+-", "from", "to", "loss over range", "needed"},
+      .rows = {}};
   for (const CalibratedParameter& parameter : result.parameters) {
     const ParameterInfo& info = InfoOf(parameter);
     std::string needed = "?";
     if (parameter.profiled) needed = parameter.NotNeeded() ? "no" : "yes";
-    table.rows.push_back({info.name, Number(parameter.value),
+    table.rows.push_back({info.name, Number(parameter.value), Number(parameter.optimum),
                           parameter.standard_error ? Number(*parameter.standard_error) : "-",
                           Number(info.min), Number(info.max),
                           fmt::format("{:.5f}", parameter.profile.Spread()), needed});
@@ -154,9 +158,20 @@ std::vector<std::string> Sentences(const CalibrationReport& report) {
           "it ({}) is a candidate for being left out.",
           info.name, kFlatProfile, info.meaning));
     } else if (parameter.at_min || parameter.at_max) {
-      sentences.push_back(fmt::format("{} is at the {} end of its range.", info.name,
+      sentences.push_back(fmt::format("The optimum of {} is at the {} end of its range.", info.name,
                                       parameter.at_min ? "lower" : "upper"));
     }
+    if (parameter.at_base && parameter.value != parameter.optimum) {
+      sentences.push_back(
+          fmt::format("{} is kept at the default: the data does not tell.", info.name));
+    }
+  }
+  if (result.kept.parameters != result.best.parameters) {
+    sentences.push_back(
+        fmt::format("Kept is a point of loss {:.5f}, nearer to the defaults than the optimum "
+                    "({:.5f}): {:.5f} more, +- {:.5f}.",
+                    result.kept.loss, result.best.loss, result.kept.loss - result.best.loss,
+                    result.kept_error));
   }
   if (result.stop == RunLog::Stop::kTime) {
     sentences.emplace_back("The time limit ended the search; --resume with a larger one goes on.");
@@ -212,6 +227,9 @@ Json ToJson(const CalibrationReport& report) {
   };
   json["loss"]["fitted"] = losses(false);
   if (report.HoldsOut()) json["loss"]["held_out"] = losses(true);
+  json["loss"]["optimum"] = result.best.loss;
+  json["loss"]["kept"] = result.kept.loss;
+  json["loss"]["standard_error"] = result.kept_error;
   json["clips"] = Json::array();
   for (const CalibrationScore& score : report.scores) {
     json["clips"].push_back({{"clip", score.clip},

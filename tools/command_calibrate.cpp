@@ -28,6 +28,7 @@ struct CalibrateArguments {
   std::vector<std::string> hold_out;
   bool split_frames = false;
   std::vector<std::string> fit;
+  std::string keep = "near";
   int starts = 2;
   std::uint64_t seed = 1;
   double max_seconds = 0;
@@ -202,6 +203,7 @@ CalibrationOptions OptionsOf(const CalibrateArguments& arguments,
   if (!arguments.pipeline.params.empty()) {
     options.base = ReadParameters(arguments.pipeline.params);
   }
+  options.near_base = arguments.keep == "near";
   options.random_starts = arguments.starts;
   options.seed = arguments.seed;
   options.max_seconds = arguments.max_seconds;
@@ -247,11 +249,11 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
         fmt::format("calibration was interrupted; the same command with --resume goes on from {}.",
                     options.checkpoint.string()));
   }
-  const Parameters& best = report.result.best.parameters;
-  AddScores(split.fitted, false, best, options.base, pool, report);
-  AddScores(split.held_out, true, best, options.base, pool, report);
+  const Parameters& kept = report.result.kept.parameters;
+  AddScores(split.fitted, false, kept, options.base, pool, report);
+  AddScores(split.held_out, true, kept, options.base, pool, report);
   const Json json = ToJson(report);
-  WriteFile(out, ParametersJson(best, json.dump()));
+  WriteFile(out, ParametersJson(kept, json.dump()));
   if (report.result.stop == RunLog::Stop::kNone) std::filesystem::remove(options.checkpoint);
   if (arguments.json) {
     PrintJson({{"parameters", arguments.out}, {"calibration", json}});
@@ -287,6 +289,13 @@ void AddCalibrateCommand(CLI::App& app, CommandRun* run) {
       ->excludes(hold_out);
   command->add_option("--fit", a.fit, "Names of parameters to fit (default: all that are read)")
       ->delimiter(',');
+  command
+      ->add_option(
+          "--keep", a.keep,
+          "near: go from the defaults as far as the clips tell; optimum: all the way to the "
+          "best for these clips, for content that is no other")
+      ->check(CLI::IsMember({"near", "optimum"}))
+      ->capture_default_str();
   command->add_option("--starts", a.starts, "Random starts, beside the defaults and the paper's")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();

@@ -62,7 +62,11 @@ TEST_F(CalibrateCommand, WritesParametersThatRunAccepts) {
   const auto& loss = calibration["loss"]["fitted"];
   EXPECT_LE(loss["calibrated"].get<double>(), loss["default"].get<double>());
   EXPECT_LE(loss["calibrated"].get<double>(), loss["paper"].get<double>());
-  EXPECT_EQ(calibration["fitted"].size(), 2U);
+  ASSERT_EQ(calibration["fitted"].size(), 2U);
+  EXPECT_FLOAT_EQ(calibration["fitted"][1]["value"].get<float>(), fitted.blend_a);
+  EXPECT_NEAR(loss["calibrated"].get<double>(), calibration["loss"]["kept"].get<double>(), 1e-6);
+  EXPECT_LE(calibration["loss"]["optimum"].get<double>(),
+            calibration["loss"]["kept"].get<double>());
 
   const ProgramResult run = RunWarplut({"run", "--mode", "sr", "--sequence", Street(), "--filter",
                                         "catmull-rom", "--params", Out(), "--out", Path("shown")});
@@ -85,6 +89,20 @@ TEST_F(CalibrateCommand, JudgesByWhatIsHeldOut) {
                             "generation_depth_threshold", "--split-frames", "--json"}));
   ASSERT_EQ(split.code, 0) << split.err;
   EXPECT_EQ(nlohmann::json::parse(split.out)["calibration"]["clips"].size(), 2U);
+}
+
+TEST_F(CalibrateCommand, KeepsTheOptimumIfAskedTo) {
+  const ProgramResult near = RunWarplut(Arguments({"--json"}));
+  ASSERT_EQ(near.code, 0) << near.err;
+  const ProgramResult optimum = RunWarplut(Arguments({"--keep", "optimum", "--json"}));
+  ASSERT_EQ(optimum.code, 0) << optimum.err;
+  const auto of_near = nlohmann::json::parse(near.out)["calibration"];
+  const auto of_optimum = nlohmann::json::parse(optimum.out)["calibration"];
+  EXPECT_EQ(of_near["loss"]["optimum"], of_optimum["loss"]["optimum"]);
+  EXPECT_EQ(of_optimum["loss"]["kept"], of_optimum["loss"]["optimum"]);
+  EXPECT_NE(of_near["loss"]["kept"], of_near["loss"]["optimum"]);
+  EXPECT_EQ(of_optimum["fitted"][1]["value"], of_near["fitted"][1]["optimum"]);
+  ExpectRefused(RunWarplut(Arguments({"--keep", "nothing"})), kUsage, "--keep");
 }
 
 TEST_F(CalibrateCommand, GoesOnWithTheSameBytesAfterAnInterruption) {

@@ -109,6 +109,7 @@ CalibrationStudy StudyCalibration(ResidualFunction& function,
     calibration.fitted = options.fitted;
     calibration.base = options.base;
     calibration.seed = static_cast<std::uint64_t>(seed);
+    calibration.near_base = false;
     const CalibrationResult result = Calibrate(calibration, traced);
     SearchTrace trace = std::move(traced.trace());
     trace.loss.resize(static_cast<std::size_t>(result.search_runs));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "datasets/hash.h"
+#include "train/calibration/kept_point.h"
 #include "train/random.h"
 
 namespace warplut {
@@ -30,6 +31,7 @@ class Calibration {
  public:
   Calibration(const CalibrationOptions& options, ResidualFunction& function)
       : options_(options),
+        function_(function),
         space_(options.fitted, options.base),
         log_(function, {.max_seconds = options.max_seconds,
                         .checkpoint = options.checkpoint,
@@ -48,6 +50,7 @@ class Calibration {
     DrawProfiles();
     DropWhatIsNotNeeded();
     JudgeAccuracy();
+    Keep();
     result_.runs = log_.runs();
     result_.seconds = log_.Seconds();
     result_.stop = log_.stop();
@@ -61,11 +64,11 @@ class Calibration {
     return options_.progress({done_ / Work(), log_.runs(), result_.best.loss});
   }
 
-  // In units of one descent; a profile is about half of one.
-  double Work() const { return 2.0 + options_.random_starts + 0.5; }
+  // In units of one descent; all profiles are about half of one, and so is what is kept.
+  double Work() const { return 2.0 + options_.random_starts + 1.0; }
 
   void Search() {
-    result_.default_loss = Keep(options_.base);
+    result_.default_loss = Offer(options_.base);
     // Only to compare with: where not all parameters are fitted, it lies outside the space.
     result_.paper_loss = LossOf(kPaperParameters);
     Descend("default", options_.base);
@@ -85,14 +88,14 @@ class Calibration {
   }
 
   // The loss of a candidate for the result.
-  double Keep(const Parameters& parameters) {
+  double Offer(const Parameters& parameters) {
     const double loss = LossOf(parameters);
     if (loss < result_.best.loss) result_.best = {parameters, loss};
     return loss;
   }
 
   void Descend(const std::string& name, const Parameters& start) {
-    const Candidate from{start, Keep(start)};
+    const Candidate from{start, Offer(start)};
     Point point = space_.ToPoint(start);
     double radius = kTrustRadius;
     // Where a narrower gate asks for the same point, a still narrower one does as well.
@@ -102,7 +105,7 @@ class Calibration {
       if (width != widths_.front() && Distance(point, before) < kDifference) break;
     }
     const Parameters soft = space_.ToParameters(point);
-    Candidate to{soft, Keep(soft)};
+    Candidate to{soft, Offer(soft)};
     if (!(to.loss < from.loss)) to = from;
 
     int optimum = OptimumBelow(to);
@@ -112,7 +115,7 @@ class Calibration {
         (optimum < 0 || std::abs(to.loss - result_.optima[optimum].loss) > kSameLoss)) {
       to = PatternSearch(log_, space_, to, kFirstPatternStep, kCoarsePatternStep);
       optimum = OptimumOf(to);
-      Keep(to.parameters);
+      Offer(to.parameters);
     }
     if (std::isfinite(from.loss)) {
       if (optimum < 0) {
@@ -185,19 +188,21 @@ class Calibration {
     result_.best = better;
   }
 
+  double LeastStart() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const CalibrationStart& start : result_.starts) least = std::min(least, start.from.loss);
+    return least;
+  }
+
   // What the loss does not hang on gets the value of the base, unless that is worse than a start.
   void DropWhatIsNotNeeded() {
-    double least_start = std::numeric_limits<double>::infinity();
-    for (const CalibrationStart& start : result_.starts) {
-      least_start = std::min(least_start, start.from.loss);
-    }
     for (const CalibratedParameter& parameter : result_.parameters) {
       if (!parameter.NotNeeded()) continue;
       Parameters plain = result_.best.parameters;
       const auto member = kParameters[parameter.parameter].member;
       plain.*member = options_.base.*member;
       const std::optional<double> loss = log_.Loss(plain);
-      const double limit = std::min(result_.best.loss + kFlatProfile, least_start);
+      const double limit = std::min(result_.best.loss + kFlatProfile, LeastStart());
       if (loss && *loss <= limit) Replace({plain, *loss});
     }
   }
@@ -212,7 +217,7 @@ class Calibration {
       CalibratedParameter& parameter = result_.parameters[k];
       const ParameterInfo& info = space_.info(i);
       const float value = result_.best.parameters.*info.member;
-      parameter.value = value;
+      parameter.optimum = value;
       parameter.at_min = value <= info.min;
       parameter.at_max = value >= info.max;
       if (covariance && covariance->standard_errors[k]) {
@@ -220,6 +225,25 @@ class Calibration {
       }
     }
     SortOptima();
+  }
+
+  void Keep() {
+    result_.kept = result_.best;
+    if (options_.near_base) {
+      std::vector<int> sources;
+      for (std::size_t k = 0; k < function_.Size(); ++k) sources.push_back(function_.Source(k));
+      const KeptPoint kept =
+          KeepNearBase(log_, space_, sources, {options_.base, result_.default_loss}, result_.best,
+                       std::max(result_.best.loss, LeastStart()));
+      result_.kept = kept.at;
+      result_.kept_error = kept.standard_error;
+      for (std::size_t i = 0; i < kept.at_base.size(); ++i) {
+        result_.parameters[i].at_base = kept.at_base[i];
+      }
+    }
+    for (CalibratedParameter& parameter : result_.parameters) {
+      parameter.value = result_.kept.parameters.*kParameters[parameter.parameter].member;
+    }
   }
 
   void SortOptima() {
@@ -242,6 +266,7 @@ class Calibration {
   }
 
   const CalibrationOptions& options_;
+  const ResidualFunction& function_;
   SearchSpace space_;
   RunLog log_;
   std::vector<float> widths_;

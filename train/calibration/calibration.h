@@ -5,8 +5,9 @@
 //    if no threshold is fitted, on the hard gates at once. Where the result is no better than the start, the start stays.
 // 2. A search without derivatives on the hard gates, which never accepts more loss; coarse from each start, fine from the best end.
 // 3. The loss profile of each parameter; a better point in it is polished as well.
-// The best of all, by the loss on hard gates, is the result: never worse than any start, of which the paper's constants for what is
-// fitted are one. What is not needed keeps the value of the base.
+//    The best of all, by the loss on hard gates, is the optimum: never worse than any start, of which the paper's constants for what
+//    is fitted are one. What is not needed keeps the value of the base.
+// 4. What is kept lies between the optimum and the base (train/calibration/kept_point.h), no worse than any start either.
 #pragma once
 
 #include <filesystem>
@@ -35,6 +36,7 @@ struct CalibrationOptions {
   int random_starts = 2;  // beside the base and the paper's constants
   std::uint64_t seed = 1;
   double max_seconds = 0;  // 0: no limit; with one the result depends on the machine's speed
+  bool near_base = true;   // false: the optimum is kept as it is
   std::filesystem::path checkpoint;  // empty: none
   bool resume = false;               // from `checkpoint`
   std::string data;                  // names what the residuals hang on, for the checkpoint
@@ -58,10 +60,12 @@ struct CalibrationStart {
 };
 
 struct CalibratedParameter {
-  int parameter = 0;  // index in kParameters
-  double value = 0;
-  std::optional<double> standard_error;  // of the value; none where the data does not say
-  bool at_min = false, at_max = false;   // of its range
+  int parameter = 0;                     // index in kParameters
+  double value = 0;                      // kept
+  double optimum = 0;                    // the best on the fitted clips
+  bool at_base = false;                  // kept at the base: the data does not tell the two apart
+  std::optional<double> standard_error;  // of the optimum; none where the data does not say
+  bool at_min = false, at_max = false;   // the optimum, of its range
   bool profiled = false;                 // the profile is complete
   Profile profile;
 
@@ -70,7 +74,9 @@ struct CalibratedParameter {
 };
 
 struct CalibrationResult {
-  Candidate best;
+  Candidate best;           // the least loss
+  Candidate kept;           // what is to be used
+  double kept_error = 0;    // standard error of the loss kept minus the least
   double default_loss = 0;  // of CalibrationOptions::base
   double paper_loss = 0;    // of kPaperParameters
   std::vector<CalibrationStart> starts;

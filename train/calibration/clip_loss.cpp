@@ -88,9 +88,12 @@ class ClipLoss::Judge {
 
 ClipLoss::ClipLoss(std::vector<ClipRun> runs, Executor& executor) : executor_(executor) {
   if (runs.empty()) throw Error("there is no clip to calibrate on; expected at least one.");
+  std::map<std::string, int> sources;
   for (ClipRun& run : runs) {
+    const int next = static_cast<int>(sources.size());
+    const int source = sources.try_emplace(run.clip->name, next).first->second;
     judges_.push_back(std::make_unique<Judge>(std::move(run), executor_));
-    size_ += judges_.back()->tiles();
+    sources_.insert(sources_.end(), judges_.back()->tiles(), source);
   }
 }
 

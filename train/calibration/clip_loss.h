@@ -31,7 +31,9 @@ class ClipLoss final : public ResidualFunction {
   ClipLoss(std::vector<ClipRun> runs, Executor& executor);
   ~ClipLoss() override;
 
-  std::size_t Size() const override { return size_; }
+  std::size_t Size() const override { return sources_.size(); }
+  // Runs over clips of one name share a source.
+  int Source(std::size_t k) const override { return sources_[k]; }
   void Evaluate(const Parameters& parameters, float gate_width,
                 std::span<double> residuals) override;
 
@@ -43,7 +45,7 @@ class ClipLoss final : public ResidualFunction {
 
   Executor& executor_;
   std::vector<std::unique_ptr<Judge>> judges_;
-  std::size_t size_ = 0;
+  std::vector<int> sources_;  // of the residuals
 };
 
 // Which parameters the methods read: indices of kParameters, ascending.

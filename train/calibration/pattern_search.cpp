@@ -13,22 +13,25 @@ constexpr double kQuadraticReach = 2.5;
 
 class Search {
  public:
-  Search(RunLog& log, const SearchSpace& space, const Candidate& start)
+  Search(RunLog& log, const SearchSpace& space, const Candidate& start,
+         const std::function<double(const Point&)>& factor)
       : log_(log),
         space_(space),
+        factor_(factor),
         best_(start),
         point_(space.ToPoint(start.parameters)),
+        least_(start.loss * FactorAt(point_)),
         flat_(point_.size(), false) {}
 
   Candidate Run(double step, double last_step) {
     while (step >= last_step && log_.stop() == RunLog::Stop::kNone) {
       const Point before = point_;
-      const double loss_before = best_.loss;
+      const double least_before = least_;
       for (std::size_t i = 0; i < point_.size(); ++i) {
         if (!flat_[i]) TryCoordinate(i, step);
       }
       TryLeastOfQuadratic(step);
-      if (!(best_.loss < loss_before - kPatternGain)) {
+      if (!(least_ < least_before - kPatternGain)) {
         step *= kPatternShrink;
       } else if (point_.size() > 1) {
         Point further = point_;
@@ -41,10 +44,12 @@ class Search {
 
  private:
   struct Trial {
-    double loss = 0;
+    double loss = 0;    // times the factor, as all that is compared
     bool made = false;  // not at a border, and the log goes on
     bool better = false;
   };
+
+  double FactorAt(const Point& point) const { return factor_ ? factor_(point) : 1.0; }
 
   Trial Try(Point point) {
     for (double& coordinate : point) coordinate = std::clamp(coordinate, 0.0, 1.0);
@@ -52,13 +57,15 @@ class Search {
     const Parameters parameters = space_.ToParameters(point);
     const std::optional<double> loss = log_.Loss(parameters);
     if (!loss) return {};
-    tried_.emplace_back(point, *loss);
-    const bool better = *loss < best_.loss;
+    const double value = *loss * FactorAt(point);
+    tried_.emplace_back(point, value);
+    const bool better = value < least_;
     if (better) {
       best_ = {parameters, *loss};
       point_ = std::move(point);
+      least_ = value;
     }
-    return {*loss, true, better};
+    return {value, true, better};
   }
 
   void TryCoordinate(std::size_t i, double step) {
@@ -67,7 +74,7 @@ class Search {
       point[i] += by;
       return point;
     };
-    const double here = best_.loss;
+    const double here = least_;
     const Trial up = Try(moved(step));
     if (up.better) return;
     const Trial down = Try(moved(-step));
@@ -95,7 +102,7 @@ class Search {
     Eigen::VectorXd losses(design.rows());
     for (Eigen::Index row = 0; row < design.rows(); ++row) {
       const auto& [point, loss] = *near[static_cast<std::size_t>(row)];
-      losses[row] = loss - best_.loss;
+      losses[row] = loss - least_;
       Eigen::Index column = 0;
       design(row, column++) = 1;
       for (std::size_t i = 0; i < point.size(); ++i) {
@@ -131,8 +138,10 @@ class Search {
 
   RunLog& log_;
   const SearchSpace& space_;
+  const std::function<double(const Point&)>& factor_;
   Candidate best_;
   Point point_;
+  double least_;
   std::vector<std::pair<Point, double>> tried_;
   std::vector<bool> flat_;
 };
@@ -140,8 +149,9 @@ class Search {
 }  // namespace
 
 Candidate PatternSearch(RunLog& log, const SearchSpace& space, const Candidate& start,
-                        double first_step, double last_step) {
-  return Search(log, space, start).Run(first_step, last_step);
+                        double first_step, double last_step,
+                        const std::function<double(const Point&)>& factor) {
+  return Search(log, space, start, factor).Run(first_step, last_step);
 }
 
 }  // namespace warplut

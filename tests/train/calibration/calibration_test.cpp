@@ -34,9 +34,11 @@ TEST(Calibration, FindsThePlantedParameters) {
     GateModel model({.floor = floor});
     const CalibrationResult result = Calibrate(Options({kThreshold, kA, kB}), model);
     const Parameters truth = model.Best();
-    EXPECT_NEAR(result.best.parameters.sr_depth_threshold / truth.sr_depth_threshold, 1, 0.05);
-    EXPECT_NEAR(result.best.parameters.blend_a / truth.blend_a, 1, 0.05);
-    EXPECT_NEAR(result.best.parameters.blend_b / truth.blend_b, 1, 0.05);
+    for (const Candidate& found : {result.best, result.kept}) {
+      EXPECT_NEAR(found.parameters.sr_depth_threshold / truth.sr_depth_threshold, 1, 0.05);
+      EXPECT_NEAR(found.parameters.blend_a / truth.blend_a, 1, 0.05);
+      EXPECT_NEAR(found.parameters.blend_b / truth.blend_b, 1, 0.05);
+    }
     EXPECT_LE(result.best.loss, LossAt(model, truth) + 1e-5);
     EXPECT_EQ(result.runs, model.runs() - 1) << "every run is counted";
     EXPECT_EQ(result.optima.size(), 1U);
@@ -72,6 +74,8 @@ TEST(Calibration, IsNeverWorseThanAStart) {
     EXPECT_LE(result.best.loss, result.default_loss);
     EXPECT_LE(result.best.loss, result.paper_loss);
     EXPECT_LE(result.best.loss, LossAt(model, planted));
+    EXPECT_LE(result.kept.loss, result.default_loss);
+    EXPECT_LE(result.kept.loss, result.paper_loss);
   }
 }
 
@@ -191,12 +195,14 @@ TEST(Calibration, GoesOnAfterAnInterruptionWithTheSameBits) {
   EXPECT_EQ(stopped.stop, RunLog::Stop::kAsked);
   EXPECT_EQ(stopped.runs, 40);
   EXPECT_TRUE(std::isfinite(stopped.best.loss));
+  EXPECT_LE(stopped.kept.loss, stopped.default_loss);
 
   options.progress = nullptr;
   options.resume = true;
   GateModel rest({});
   const CalibrationResult resumed = Calibrate(options, rest);
   EXPECT_EQ(resumed.best.parameters, expected.best.parameters);
+  EXPECT_EQ(resumed.kept.parameters, expected.kept.parameters);
   EXPECT_EQ(resumed.runs, expected.runs);
   EXPECT_EQ(rest.runs(), expected.runs - 40 + 1) << "one run is made again to compare";
 }
