@@ -20,22 +20,23 @@ class Bowls final : public ResidualFunction {
     double log_a = 0;
     int source = 0;
   };
-  explicit Bowls(std::vector<Bowl> bowls, double floor = 0.05, double b_scale = 0)
-      : bowls_(std::move(bowls)), floor_(floor), b_scale_(b_scale) {}
+  explicit Bowls(std::vector<Bowl> bowls, double floor = 0.05, double b_scale = 0,
+                 double a_scale = 0.02)
+      : bowls_(std::move(bowls)), floor_(floor), b_scale_(b_scale), a_scale_(a_scale) {}
 
   std::size_t Size() const override { return bowls_.size(); }
   int Source(std::size_t k) const override { return bowls_[k].source; }
   void Evaluate(const Parameters& p, float, std::span<double> residuals) override {
     for (std::size_t k = 0; k < residuals.size(); ++k) {
       const double a = std::log(p.blend_a) - bowls_[k].log_a, b = p.blend_b - 2;
-      const double loss = floor_ + 0.02 * a * a + b_scale_ * b * b;
+      const double loss = floor_ + a_scale_ * a * a + b_scale_ * b * b;
       residuals[k] = std::sqrt(2 * loss / static_cast<double>(residuals.size()));
     }
   }
 
  private:
   std::vector<Bowl> bowls_;
-  double floor_, b_scale_;
+  double floor_, b_scale_, a_scale_;
 };
 
 CalibrationResult Fit(Bowls& bowls, std::vector<int> fitted = {kA}, bool near_base = true) {
@@ -105,11 +106,11 @@ TEST(KeptPoint, IsTheOptimumOfPlantedParameters) {
   EXPECT_NEAR(LogA(result.kept), 1.0, 0.02);
 }
 
-// What tiles dispute about a hides the little that they agree on about b.
+// Tiles dispute where a is best, far away, and agree on b; the prior alone would take back a and not b.
 TEST(KeptPoint, IsTheBaseIfThatIsWithinAStandardErrorOfTheOptimum) {
-  std::vector<Bowls::Bowl> bowls = Alike(0, 20);
-  for (std::size_t i = 0; i < bowls.size(); ++i) bowls[i].log_a = i % 4 < 2 ? -1.0 : 1.2;
-  Bowls undecided(bowls, 0.05, 1e-4);
+  std::vector<Bowls::Bowl> bowls = Alike(0, 1, 8);
+  for (std::size_t i = 0; i < bowls.size(); ++i) bowls[i].log_a = i % 2 == 0 ? -5.0 : 9.0;
+  Bowls undecided(bowls, 0.05, 0.009, 0.002);
   const CalibrationResult result = Fit(undecided, {kA, kB});
   EXPECT_LT(result.best.loss, result.default_loss - 1e-4);
   EXPECT_EQ(result.kept.parameters, Parameters{});
