@@ -3,8 +3,8 @@
 // Steps of one frame, for output pixel q with centre P (output pixels), s = output / render size in each axis:
 //   1. motion m and depth at q, from the render samples around P / s (edge-aware: bilinear inside surfaces, the nearest
 //      surface's at depth edges);
-//   2. q^w = history at P - m by the filter; valid where P - m is in the image, no cut, and the depth at q differs by at most T_D
-//      from the range of the 4 x 4 depths around P - m one frame ago;
+//   2. q^w = history at P - m by the filter; valid where P - m is in the image, no cut, and the depth at q lies at most T_D behind
+//      the range of the 4 x 4 depths around P - m one frame ago (absolute measure: nor before it);
 //   3. q^w limited to the colour box at P, bilinear among those of the samples around it (each of its 3 x 3 samples); where history is partly valid (gate_width > 0) or
 //      not at all the rest is the current frame alone, interpolated at P with its jitter;
 //   4. the new samples enter, in one of three forms (docs/PIPELINE.md):

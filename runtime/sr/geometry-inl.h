@@ -198,7 +198,8 @@ HWY_INLINE void ValidityRow(const SrJob& job, int y, const float* HWY_RESTRICT d
       const auto farthest = hn::GatherIndex(d, job.farthest_before.Row(0), index);
       const auto z = hn::Load(d, depth + x);
       const auto before = hn::Min(hn::Max(z, nearest), farthest);
-      valid = Gates(hn::Abs(DepthDifferences(measure, z, before)),
+      const auto farther = DepthDifferences(measure, z, before);
+      valid = Gates(RejectsBothWays(measure) ? hn::Abs(farther) : farther,
                     options.parameters.sr_depth_threshold, options.gate_width);
     }
     hn::Store(hn::IfThenElseZero(inside, valid), d, validity + x);

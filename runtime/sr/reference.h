@@ -14,6 +14,11 @@ struct Surface {
 // Depths of neighbouring samples that differ by more, relative to the lesser, belong to different surfaces.
 inline constexpr float kSurfaceStep = 0.03f;
 
+// Whether history that lay farther is rejected like history that lay nearer. What is seen now was seen a frame ago, or something nearer
+// hid it: where all samples lay farther none hit it, as happens to thin objects, and the history knows it better than they did. The
+// absolute measure is the paper's and compares both ways, as the paper does.
+constexpr bool RejectsBothWays(DepthMeasure measure) { return measure == DepthMeasure::kAbsolute; }
+
 // Weights of a sample and of each of its two neighbours, along one axis, in the mean and variance of a colour box.
 inline constexpr float kBoxMiddle = 0.6f;
 inline constexpr float kBoxSide = 0.2f;
@@ -47,7 +52,8 @@ float BilinearAt(const SrJob& job, const Plane& plane, int x, int y);
 Surface SurfaceAt(const SrJob& job, int x, int y);
 
 // How much of the history counts where (depth, motion in output pixels) is seen: 0 outside of the image and without
-// motion, else the gate of the distance of `depth` from the depths around the position one frame ago.
+// motion, else the gate of how far `depth` lies behind the depths around the position one frame ago, with the absolute
+// measure also before them.
 float ValidityReference(const SrJob& job, int x, int y, float depth, float motion_x,
                         float motion_y);
 

@@ -88,7 +88,8 @@ float ValidityReference(const SrJob& job, int x, int y, float depth, float motio
   const int j = cell(py, job.y, job.jitter_y_before);
   const float before =
       std::clamp(depth, job.nearest_before.Row(j)[i], job.farthest_before.Row(j)[i]);
-  return Gate(std::abs(DepthDifference(DepthOf(job.options), depth, before)),
+  const float farther = DepthDifference(DepthOf(job.options), depth, before);
+  return Gate(RejectsBothWays(DepthOf(job.options)) ? std::abs(farther) : farther,
               job.options.parameters.sr_depth_threshold, job.options.gate_width);
 }
 

@@ -131,6 +131,37 @@ TEST(History, IsNotUsedWhereMotionIsMissing) {
   }
 }
 
+// A post that samples hit in every other frame: no surface came from behind another.
+TEST(History, IsKeptWhereSamplesHitAThinObjectAgain) {
+  for (const bool reference : {false, true}) {
+    SuperResolutionOptions options = Options();
+    options.reference = reference;
+    SuperResolutionOptions ungated = options;
+    ungated.depth = DepthMeasure::kNone;
+    SuperResolutionOptions paper = options;
+    paper.depth = DepthMeasure::kAbsolute;
+    SerialExecutor executor;
+    SuperResolution sr(options, executor);
+    SuperResolution ungated_sr(ungated, executor);
+    SuperResolution paper_sr(paper, executor);
+    ImageBuffer out = OutputOf(options);
+    ImageBuffer ungated_out = OutputOf(options);
+    TestFrame frame(kWidth, kHeight);
+    for (int i = 0; i < 6; ++i) {
+      Render(i, 0, frame);
+      for (int y = 0; y < kHeight; ++y) frame.Depth(kWidth / 2, y) = i % 2 == 0 ? 0.5f : 0.1f;
+      paper_sr.Process(frame.View(), out.view());
+      sr.Process(frame.View(), out.view());
+      ungated_sr.Process(frame.View(), ungated_out.view());
+      EXPECT_TRUE(SameBits(out, ungated_out)) << i;
+      if (i > 0) {
+        EXPECT_EQ(sr.Tiles().disoccluded, 0) << i;
+        EXPECT_EQ(paper_sr.Tiles().disoccluded > 0, i % 2 == 1) << i;
+      }
+    }
+  }
+}
+
 TEST(History, SampleFormIsThePrintedEquationForBZero) {
   // One render pixel of scale 1: the sample itself and the four at distance 1 have part.
   SuperResolutionOptions options = TestOptions(3, 3, 3, 3);

@@ -140,11 +140,12 @@ TEST(Validity, MeasuresAreThoseOfTheGates) {
   const TestJob relative(options, frame);
   EXPECT_EQ(ValidityReference(relative.View(), 3, 3, 0.549f, 0, 0), 1.0f);
   EXPECT_EQ(ValidityReference(relative.View(), 3, 3, 0.551f, 0, 0), 0.0f);
-  EXPECT_EQ(ValidityReference(relative.View(), 3, 3, 0.45f, 0, 0), 0.0f);
+  EXPECT_EQ(ValidityReference(relative.View(), 3, 3, 0.1f, 0, 0), 1.0f);  // nothing hid it
   options.depth = DepthMeasure::kAbsolute;
   const TestJob absolute(options, frame);
   EXPECT_EQ(ValidityReference(absolute.View(), 3, 3, 0.59f, 0, 0), 1.0f);
   EXPECT_EQ(ValidityReference(absolute.View(), 3, 3, 0.61f, 0, 0), 0.0f);
+  EXPECT_EQ(ValidityReference(absolute.View(), 3, 3, 0.39f, 0, 0), 0.0f);
   options.gate_width = 0.5f;
   const TestJob soft(options, frame);
   EXPECT_NEAR(ValidityReference(soft.View(), 3, 3, 0.6f, 0, 0), 0.5f, 1e-5f);
