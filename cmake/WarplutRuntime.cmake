@@ -13,11 +13,11 @@ function(warplut_runtime_library name)
     color_repair.cpp
     frame_check.cpp
     frame_generation.cpp
+    hdr_rows.cpp
     row_kernels.cpp
     splat_reference.cpp
     target_motion.cpp
-    target_motion_reference.cpp
-    tone_map.cpp)
+    target_motion_reference.cpp)
   list(TRANSFORM generation PREPEND ${WARPLUT_ROOT}/runtime/generation/)
   set(sr
     aliasing.cpp

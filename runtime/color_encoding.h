@@ -1,44 +1,60 @@
-// What the values of colour images mean.
+// What the values of colour images mean, and the code that linear HDR is warped and blended in.
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace warplut {
 
-// kDisplay: what the display gets, in [0, 1]. kLinearHdr: scene-linear, >= 0, unbounded; blends and histories then work on
-// ToneMap of it.
+// kDisplay: what the display gets, in [0, 1]. kLinearHdr: scene-linear, >= 0, unbounded; histories, warps and blends then work on
+// the HdrCode of each channel.
 enum class ColorEncoding : std::uint8_t { kDisplay, kLinearHdr };
 
 constexpr const char* Name(ColorEncoding encoding) {
   return encoding == ColorEncoding::kDisplay ? "display" : "linear HDR";
 }
 
-// The factor that tone-maps (r, g, b) >= 0 reversibly, by its largest channel m: 1 / (1 + m). Source: Karis, "Tone mapping",
-// 2013.
-template <class T>
-T ToneMapFactor(T largest) {
-  return T(1) / (T(1) + largest);
-}
-
-// The factor back, for the largest tone-mapped channel: 1 / (1 - m). Resampling can reach m >= 1: it is limited so that the
-// result stays below kLargestHdr.
+// Linear channels count up to here, the largest half; what is above, infinity too, as this, what is negative and NaN as 0.
 inline constexpr float kLargestHdr = 65504.0f;
-template <class T>
-T InverseToneMapFactor(T largest) {
-  constexpr T kLimit = T(kLargestHdr) / (T(1) + T(kLargestHdr));
-  const T limited = largest < kLimit ? largest : kLimit;
-  return T(1) / (T(1) - limited);
+inline float LimitHdr(float x) { return x > 0.0f ? std::min(x, kLargestHdr) : 0.0f; }
+
+// The code of x in [0, kLargestHdr], in [0, 1]: log2(1 + kHdrGain x) / kHdrOctaves, but within each octave, from 2^k to
+// 2^(k+1), the logarithm is k + f (4 - f) / 3 with 1 + f the mantissa. That has a continuous slope, is within 0.009 of the
+// logarithm and has an exact inverse. Linear below about 1 / 64, logarithmic above: resampling cannot overshoot to more than a
+// multiple, and a code that is off by e means a value that is off by at most 16.5 e (x + 1 / kHdrGain), in half floats
+// by 0.2 % for x up to about 30 and 0.4 % above.
+inline constexpr int kHdrOctaves = 22;
+inline constexpr float kHdrGain = (static_cast<float>(1 << kHdrOctaves) - 1) / kLargestHdr;
+// Of a float: the bits of its mantissa, and those of 1.
+inline constexpr int kMantissaBits = 23;
+inline constexpr std::int32_t kOneBits = 127 << kMantissaBits;
+
+inline float HdrCode(float x) {
+  const auto bits = std::bit_cast<std::int32_t>(kHdrGain * x + 1) - kOneBits;
+  const auto octave = static_cast<float>(bits >> kMantissaBits);
+  const float f = std::bit_cast<float>((bits & ((1 << kMantissaBits) - 1)) | kOneBits) - 1;
+  return (octave + f * (4 - f) * (1.0f / 3)) * (1.0f / kHdrOctaves);
 }
 
-// The colour (r, g, b) >= 0 tone-mapped, and back.
-inline void ToneMap(float* rgb) {
-  const float factor = ToneMapFactor(std::max({rgb[0], rgb[1], rgb[2]}));
-  for (int c = 0; c < 3; ++c) rgb[c] *= factor;
+// The value of a code in [0, 1], in [0, kLargestHdr].
+inline float HdrValue(float code) {
+  const float logarithm = code * kHdrOctaves;
+  const auto octave = static_cast<std::int32_t>(logarithm);
+  const float f = 2 - std::sqrt(4 - 3 * (logarithm - static_cast<float>(octave)));
+  const auto bits = std::bit_cast<std::int32_t>(1 + f) + (octave << kMantissaBits);
+  return std::min((std::bit_cast<float>(bits) - 1) * (1 / kHdrGain), kLargestHdr);
 }
-inline void InverseToneMap(float* rgb) {
-  const float factor = InverseToneMapFactor(std::max({rgb[0], rgb[1], rgb[2]}));
-  for (int c = 0; c < 3; ++c) rgb[c] *= factor;
+
+// Resampling may make codes brighter than all that it resamples only up to the code of this: brighter ones would
+// be fireflies, as they stand for multiples of what is there.
+inline constexpr float kUnlimitedHdr = 1.0f;
+
+// What a difference of 1 between displayed values is between codes, about: thresholds of differences are those of displayed values
+// times this.
+constexpr float CodeContrast(ColorEncoding encoding) {
+  return encoding == ColorEncoding::kDisplay ? 1.0f : 0.28f;
 }
 
 }  // namespace warplut

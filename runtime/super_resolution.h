@@ -17,7 +17,8 @@
 //                 (runtime/sr/aliasing.h). In all the share is multiplied by the validity of the history.
 //   Without history (first frame, cut, options.history false) step 2 finds nothing valid.
 //   With MotionUpsampling::kStatic steps 1 and 2 are left out: q^w is the history at P and valid; neither motion nor depth is read.
-// q is limited to [0, 1] before it is stored (linear HDR: of the tone-mapped value).
+// q is limited to [0, 1] before it is stored. In linear HDR all this is done in codes (runtime/color_encoding.h), and q is limited to the
+// brightest of the 4 x 4 samples around P, or to the code of kUnlimitedHdr if that is more.
 //
 // A sample (i, j) of the render grid lies at output position ((i + 1/2 + jitter_x) s_x, (j + 1/2 + jitter_y) s_y).
 #pragma once
@@ -42,7 +43,7 @@ namespace warplut {
 // One rendered frame; all views on the render grid. Colour: RGBA8, RGBA16F or RGBA32F (alpha is ignored). Depth: R32F, view
 // depth in units of the far plane, >= 0; NaN, negative and infinite values count as kFarthestDepth. Motion: pixels of the
 // render grid, from the frame before to this one, without jitter; where a component is NaN or infinite there is no history.
-// A NaN or infinite colour channel counts as 0, in kDisplay what lies outside [0, 1] is limited to it. With
+// In kDisplay a NaN or infinite colour channel counts as 0, what lies outside [0, 1] is limited to it; in kLinearHdr LimitHdr takes it. With
 // MotionUpsampling::kStatic depth and motion may be without data.
 struct RenderedFrame {
   ImageView color;

@@ -117,7 +117,7 @@ ExitCode RunBenchGeneration(const GenerationBenchmarkOptions& options, bool json
     Json list = Json::array();
     for (const GenerationBenchmarkRow& row : rows) {
       list.push_back({{"size", {row.width, row.height}},
-                      {"format", Name(row.format)},
+                      {"format", row.content},
                       {"motion", row.motion},
                       {"interpolates", row.interpolates},
                       {"frame_ms", ToJson(row.frame)},

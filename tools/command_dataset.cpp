@@ -153,6 +153,9 @@ void AddRender(CLI::App& dataset, CommandRun* run) {
       ->capture_default_str();
   command->add_option("--seed", options.seed, "Varies placement, textures and sample positions")
       ->capture_default_str();
+  command->add_flag("--linear", options.linear, "Linear HDR colour (.exr) in place of sRGB (.png)");
+  command->add_option("--exposure", options.exposure, "Factor on the light, before a tone curve")
+      ->capture_default_str();
   command->add_option("--threads", options.threads, "Threads (default: all)");
   command
       ->add_option("--streams", arguments->streams,

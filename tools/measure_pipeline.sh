@@ -68,6 +68,25 @@ scales() {
   mv "$table.part" "$table"
 }
 
+# hdr TABLE: built-in scenes that nothing was fitted on, as sRGB and as linear HDR, at the usual exposure and where much is above white.
+hdr() {
+  table=$out/tables/$1.md
+  : > "$table.part"
+  for exposure in 1 16; do
+    for colour in srgb linear; do
+      option=
+      if [ "$colour" = linear ]; then option=--linear; fi
+      for scene in gallery colonnade; do
+        # shellcheck disable=SC2086 # no option is no word
+        render_missing "$scene" "$out/scenes-$colour-$exposure" --exposure "$exposure" --width 480 --height 270 --frames 8 $option
+      done
+      printf '%s, exposure %s:\n\n' "$colour" "$exposure" >> "$table.part"
+      "$warplut" eval --sequence "$out/scenes-$colour-$exposure"/* --modes sr,i,e,isr --lut "$lut" --markdown >> "$table.part"
+    done
+  done
+  mv "$table.part" "$table"
+}
+
 # bench TABLE SUBCOMMAND
 bench() {
   code=0
@@ -80,6 +99,7 @@ bench() {
 }
 
 scales pipeline-scales
+hdr pipeline-hdr
 if [ -n "$data" ]; then
   leave_one_out pipeline-rendered
   leave_one_out pipeline-texels --texels

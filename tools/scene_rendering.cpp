@@ -29,10 +29,10 @@ std::vector<std::string> SelectScenes(const std::string& selection) {
 void RenderScene(const std::string& scene, const RenderOptions& options, Streams which,
                  const std::filesystem::path& folder, const std::function<void()>& on_frame) {
   const SceneRenderer renderer(scene, options);
-  Sequence sequence = StandardSequence(scene, 0, options.frames,
-                                       {renderer.render_width(), renderer.render_height()},
-                                       {options.width, options.height}, ColorSpace::kSrgb, which,
-                                       renderer.near_plane(), renderer.far_plane());
+  Sequence sequence = StandardSequence(
+      scene, 0, options.frames, {renderer.render_width(), renderer.render_height()},
+      {options.width, options.height}, options.linear ? ColorSpace::kLinear : ColorSpace::kSrgb,
+      which, renderer.near_plane(), renderer.far_plane());
   sequence.jitter = renderer.Jitter();
   sequence.cuts = renderer.Cuts();
   for (int index = 0; index < options.frames; ++index) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "datasets/error.h"
+#include "train/displayed_color.h"
 #include "train/image_views.h"
 #include "train/judged_frames.h"
 
@@ -40,9 +41,7 @@ Image JudgedImage(const ImageView& image, ColorEncoding encoding) {
   if (encoding == ColorEncoding::kDisplay) return judged;
   tbb::parallel_for(0, judged.height, [&](int y) {
     for (int x = 0; x < judged.width; ++x) {
-      float* rgb = &judged.data[judged.Index(x, y)];
-      for (int c = 0; c < 3; ++c) rgb[c] = std::max(rgb[c], 0.0f);
-      ToneMap(rgb);
+      ToDisplay(encoding, &judged.data[judged.Index(x, y)]);
     }
   });
   return judged;

@@ -29,7 +29,7 @@ struct SequenceScores {
 
 FrameGeometry ReferenceGeometry(const ClipFrame& frame);
 
-// A shown image as it is judged: R, G, B, tone-mapped (runtime/color_encoding.h) where linear.
+// A shown image as it is judged: R, G, B as a display shows them (train/displayed_color.h).
 Image JudgedImage(const ImageView& image, ColorEncoding encoding);
 
 // Judges the frames of one run as they are shown. Methods that generate are judged by their generated frames, the others by all

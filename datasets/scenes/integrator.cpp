@@ -130,10 +130,10 @@ Rgb Integrator::Shade(const Path& path) const {
   return Haze(light_, radiance, length);
 }
 
-Rgb Integrator::Colour(const Path& path) const {
+Rgb Integrator::Radiance(const Path& path) const {
   Rgb radiance = Shade(path);
   if (path.mirror.object >= 0) radiance *= MaterialOf(path.mirror).a;
-  return DisplayCurve(radiance);
+  return radiance;
 }
 
 float Integrator::Depth(const Path& path) const {

@@ -31,8 +31,8 @@ class Integrator {
              double footprint);
 
   Path Follow(const Vec2d& position) const;
-  // Display values of what the path ends at.
-  Rgb Colour(const Path& path) const;
+  // Radiance along the path.
+  Rgb Radiance(const Path& path) const;
   // View depth over far, clamped to 1; of the mirror's surface if there is a mirror.
   float Depth(const Path& path) const;
   // Where the end of the path was seen in the frame before; nothing when behind the camera.

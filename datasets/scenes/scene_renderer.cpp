@@ -77,6 +77,12 @@ void Store(const Integrator& integrator, const Path& path, const Vec2d& position
   motion.at(x, y, 1) = static_cast<float>(m.y());
 }
 
+scenes::Rgb Colour(const Integrator& integrator, const RenderOptions& options, const Path& path) {
+  const scenes::Rgb exposed =
+      scenes::Exposed(integrator.Radiance(path), static_cast<float>(options.exposure));
+  return options.linear ? exposed : scenes::DisplayCurve(exposed);
+}
+
 void RenderRow(const Integrator& integrator, const RenderOptions& options, int y, Frame& frame) {
   Image& image = frame.reference;
   const double width = image.width, height = image.height;
@@ -84,11 +90,16 @@ void RenderRow(const Integrator& integrator, const RenderOptions& options, int y
     const auto pixel = scenes::Hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
                                     static_cast<std::uint32_t>(options.seed));
     scenes::Rgb sum(0, 0, 0);
+    float weights = 0;
     for (int i = 0; i < options.samples; ++i) {
       const Vec2d at = SamplePosition(x, y, static_cast<std::uint32_t>(i), pixel);
-      sum += integrator.Colour(integrator.Follow({at.x() / width, at.y() / height}));
+      const scenes::Rgb sample =
+          Colour(integrator, options, integrator.Follow({at.x() / width, at.y() / height}));
+      const float weight = options.linear ? 1 / (1 + sample.maxCoeff()) : 1.0f;
+      sum += weight * sample;
+      weights += weight;
     }
-    sum /= static_cast<float>(options.samples);
+    sum /= weights;
     for (int c = 0; c < 3; ++c) image.at(x, y, c) = sum[c];
     const Vec2d centre((x + 0.5) / width, (y + 0.5) / height);
     Store(integrator, integrator.Follow(centre), centre, frame.cut, x, y, frame.reference_depth,
@@ -96,13 +107,14 @@ void RenderRow(const Integrator& integrator, const RenderOptions& options, int y
   }
 }
 
-void RenderInputRow(const Integrator& integrator, int y, Frame& frame) {
+void RenderInputRow(const Integrator& integrator, const RenderOptions& options, int y,
+                    Frame& frame) {
   Image& image = frame.color;
   for (int x = 0; x < image.width; ++x) {
     const Vec2d at((x + 0.5 + frame.jitter.x) / image.width,
                    (y + 0.5 + frame.jitter.y) / image.height);
     const Path path = integrator.Follow(at);
-    const scenes::Rgb colour = integrator.Colour(path);
+    const scenes::Rgb colour = Colour(integrator, options, path);
     for (int c = 0; c < 3; ++c) image.at(x, y, c) = colour[c];
     Store(integrator, path, at, frame.cut, x, y, frame.depth, frame.motion);
   }
@@ -127,6 +139,7 @@ bool RenderOptions::IsValid(std::string* why) const {
   if (frames < 1 || frames > 100000) return fail(range("frames", frames, 1, 100000));
   if (samples < 1 || samples > 65536) return fail(range("samples", samples, 1, 65536));
   if (threads < 0 || threads > 1024) return fail(range("threads", threads, 0, 1024));
+  if (!(exposure > 0 && exposure <= 1000)) return fail(range("exposure", exposure, 0, 1000));
   if (!reference && !inputs)
     return fail("neither reference nor inputs is wanted, expected at least one");
   return true;
@@ -212,7 +225,8 @@ Frame SceneRenderer::Render(int index) const {
   arena.execute([&] {
     tbb::parallel_for(0, frame.reference.height,
                       [&](int y) { RenderRow(integrator, options, y, frame); });
-    tbb::parallel_for(0, frame.color.height, [&](int y) { RenderInputRow(integrator, y, frame); });
+    tbb::parallel_for(0, frame.color.height,
+                      [&](int y) { RenderInputRow(integrator, options, y, frame); });
   });
   return frame;
 }

@@ -32,6 +32,8 @@ struct RenderOptions {
   int threads = 0;         // at most; 0: one per core. The pixels do not depend on it
   bool reference = true;   // the streams of the output grid
   bool inputs = true;      // the streams of the render grid
+  bool linear = false;     // colour is linear HDR, else display values
+  double exposure = 1;     // factor on the light, (0, 1000]
 
   // On false, *why (may be null) is a sentence that names the field.
   bool IsValid(std::string* why) const;
@@ -45,7 +47,8 @@ inline constexpr double kPixelFilterSigma = 0.60;
 // Renders the frames of one scene.
 //
 // reference   mean of `samples` samples that are distributed as the pixel filter, each tone-mapped to display values
-//             before the mean, as a resolved, temporally antialiased frame is.
+//             before the mean, as a resolved, temporally antialiased frame is. Linear: mean with the weights
+//             1 / (1 + largest channel), which is that of samples tone-mapped so, brought back (Karis, "Tone mapping", 2013).
 // color       one sample per pixel, at (i + 0.5 + x, j + 0.5 + y) of the render grid with (x, y) the jitter. Textures
 //             are as detailed as on the output grid (mip bias).
 // depth       view depth over the far plane; of the mirror's surface where a mirror is seen; sky 1. Of the same sample

@@ -1,11 +1,12 @@
 #include "datasets/scenes/sky.h"
 
 #include "datasets/scenes/pattern.h"
+#include "datasets/srgb_curve.h"
 
 namespace warplut::scenes {
 namespace {
 
-constexpr float kExposure = 0.42f;
+constexpr float kUsualExposure = 0.42f;
 
 }  // namespace
 
@@ -46,13 +47,13 @@ Rgb Haze(const Light& light, const Rgb& radiance, float distance) {
   return Mix(light.horizon, radiance, std::exp(-light.haze * distance));
 }
 
-Rgb DisplayCurve(const Rgb& radiance) {
-  const Rgb x = radiance.max(0.f) * kExposure;
+Rgb Exposed(const Rgb& radiance, float exposure) {
+  return radiance.max(0.f) * (kUsualExposure * exposure);
+}
+
+Rgb DisplayCurve(const Rgb& x) {
   const Rgb mapped = ((x * (2.51f * x + 0.03f)) / (x * (2.43f * x + 0.59f) + 0.14f)).min(1.f);
-  const auto curve = [](float v) {
-    return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
-  };
-  return {curve(mapped[0]), curve(mapped[1]), curve(mapped[2])};
+  return {SrgbCurve(mapped[0]), SrgbCurve(mapped[1]), SrgbCurve(mapped[2])};
 }
 
 }  // namespace warplut::scenes

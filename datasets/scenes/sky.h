@@ -31,7 +31,10 @@ Rgb Ambient(const Light& light, const Vec3f& normal);
 // Radiance after `distance` metres of haze.
 Rgb Haze(const Light& light, const Rgb& radiance, float distance);
 
-// Linear scene light to display values in [0, 1]: the ACES fit of K. Narkowicz (2015), then the sRGB curve.
-Rgb DisplayCurve(const Rgb& radiance);
+// Radiance at the exposure of a film or a game: 1 is about as bright as white paper in the sun.
+Rgb Exposed(const Rgb& radiance, float exposure);
+
+// Exposed light to display values in [0, 1]: the ACES fit of K. Narkowicz (2015), then the sRGB curve.
+Rgb DisplayCurve(const Rgb& exposed);
 
 }  // namespace warplut::scenes

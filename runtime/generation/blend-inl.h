@@ -145,7 +145,7 @@ HWY_INLINE Floats InterpolationShares(const GenerationJob& job, Floats depth, Fl
   const float width = job.options.gate_width;
   const auto frame0 = hn::Sub(one, Gates(depth, job.depth_threshold(), width));
   const auto frame1 = hn::Sub(one, Gates(hn::Neg(depth), job.depth_threshold(), width));
-  const auto alike = Gates(hn::Abs(brightness), job.options.parameters.brightness_threshold, width);
+  const auto alike = Gates(hn::Abs(brightness), job.brightness_threshold(), width);
   const auto nearer = hn::Set(d, job.alpha >= 0.5f ? 1.0f : 0.0f);
   const auto blended =
       hn::Add(hn::Mul(alike, nearer), hn::Mul(hn::Sub(one, alike), hn::Set(d, job.alpha)));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "luts/luma_weights.h"
+#include "runtime/color_encoding.h"
 #include "runtime/generation/generation_job.h"
 #include "runtime/pixel.h"
 
@@ -33,12 +34,20 @@ float FrameShare(const GenerationJob& job, int x, int y, Vector from0, Vector fr
 // A brightness difference beyond every T_B: what stands for it without a brightness gate.
 inline constexpr float kUnlike = 4.0f;
 
-// A pixel of a display-encoded image, or of a tone-mapped one, limited to [0, 1], NaN as 0; and back.
+// A pixel of a display-encoded image, or of codes, limited to [0, 1], NaN as 0; of a linear HDR image, limited as LimitHdr does;
+// and back.
 inline Rgb LoadRgb(PixelFormat format, const void* pixel) {
   Rgb color;
   for (int i = 0; i < 3; ++i) {
     const float value = LoadChannel(format, pixel, i) * (1.0f / ChannelScale(format));
     color.c[i] = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+  }
+  return color;
+}
+inline Rgb LoadHdr(PixelFormat format, const void* pixel) {
+  Rgb color;
+  for (int i = 0; i < 3; ++i) {
+    color.c[i] = LimitHdr(LoadChannel(format, pixel, i) * (1.0f / ChannelScale(format)));
   }
   return color;
 }

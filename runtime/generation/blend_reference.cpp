@@ -14,7 +14,7 @@ float FrameShare(const GenerationJob& job, int x, int y, Vector from0, Vector fr
                       LeastDepthAround(job.depth1, p1.x, p1.y));
   const float brightness = GatesBrightness(job.options) ? brightness0 - brightness1 : kUnlike;
   return InterpolationShare(depth, brightness, job.alpha, job.depth_threshold(),
-                            job.options.parameters.brightness_threshold, job.options.gate_width);
+                            job.brightness_threshold(), job.options.gate_width);
 }
 
 void BlendRowReference(const GenerationJob& job, const WarpedFrames& warped, int y,

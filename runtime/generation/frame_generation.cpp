@@ -7,8 +7,8 @@
 #include "runtime/generation/band_buffers.h"
 #include "runtime/generation/color_repair.h"
 #include "runtime/generation/frame_check.h"
+#include "runtime/generation/hdr_rows.h"
 #include "runtime/generation/row_kernels.h"
-#include "runtime/generation/tone_map.h"
 #include "runtime/motion_filter.h"
 #include "runtime/warp_kernels.h"
 
@@ -48,6 +48,8 @@ struct FrameGeneration::State {
                    const MutableImageView& out);
   void WarpHdr(const GenerationJob& job, const ImageView& color0, const ImageView& color1,
                const MutableImageView& out);
+  void EncodeRows(const ImageView& linear, const Band& band, const MutableImageView& to) const;
+  void DecodeRows(const ImageView& from, const Band& band, const MutableImageView& out) const;
   void FindMotion(const GenerationJob& job, const Band& band, BandBuffers& buffers) const;
   void WarpBand(const ImageView& color, const MotionView& motion, const Band& band,
                 BandBuffers& buffers, const MutableImageView& to) const;
@@ -68,7 +70,7 @@ struct FrameGeneration::State {
   RowBuffer keys;               // likewise
   std::vector<RowRange> reach;  // of each row of frame 1: the rows at which it arrives
 
-  ImageBuffer mapped;  // kLinearHdr: the frame that is being warped
+  ImageBuffer codes;  // kLinearHdr: the frame that is being warped
   std::unique_ptr<MotionFilter> filter;
   MotionBuffer filtered0, filtered1;  // with a motion filter
   std::vector<BandBuffers> bands;     // one for each worker
@@ -85,7 +87,7 @@ inline FrameGeneration::State::State(const FrameGenerationOptions& frame_options
     reach.resize(static_cast<std::size_t>(height));
   }
   if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
-    mapped = ImageBuffer(width, height, PixelFormat::kRgba32F);
+    codes = ImageBuffer(width, height, PixelFormat::kRgba32F);
   }
   if (FiltersMotion(options)) {
     filter = std::make_unique<MotionFilter>(width, height,
@@ -149,6 +151,10 @@ inline void FrameGeneration::State::WarpBand(const ImageView& color, const Motio
   } else {
     buffers.tiles.warped += WarpRows(color, motion, options.warp, band.first, band.last, to);
   }
+  if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
+    for (int y = band.first; y < band.last; ++y) LimitHdrRow(color, motion, y, to);
+    return;
+  }
   if (Choose(kWarpedFrameFormat, to.format) == PixelFormat::kRgba8) return;
   for (int y = band.first; y < band.last; ++y) RepairRow(color, motion, options.warp, y, to);
 }
@@ -172,34 +178,43 @@ inline void FrameGeneration::State::WarpDisplay(const GenerationJob& job, const 
   });
 }
 
-// One frame after the other is tone-mapped and warped; the output keeps what came of frame 1 in between.
+inline void FrameGeneration::State::EncodeRows(const ImageView& linear, const Band& band,
+                                               const MutableImageView& to) const {
+  for (int y = band.first; y < band.last; ++y) kernels.encode_hdr(linear, y, to);
+}
+
+inline void FrameGeneration::State::DecodeRows(const ImageView& from, const Band& band,
+                                               const MutableImageView& out) const {
+  for (int y = band.first; y < band.last; ++y) kernels.decode_hdr(from, y, out);
+}
+
+// One frame after the other is encoded and warped; the output keeps what came of frame 1 in between.
 inline void FrameGeneration::State::WarpHdr(const GenerationJob& job, const ImageView& color0,
                                             const ImageView& color1, const MutableImageView& out) {
   constexpr PixelFormat kFormat = PixelFormat::kRgba32F;
-  const auto map = [&](const ImageView& color) {
-    ForBands(kBandRows, [&](const Band& band, BandBuffers&) {
-      ToneMapRows(color, band.first, band.last, mapped);
-    });
+  const auto encode = [&](const ImageView& color) {
+    ForBands(kBandRows,
+             [&](const Band& band, BandBuffers&) { EncodeRows(color, band, codes.view()); });
   };
-  map(color1);
+  encode(color1);
   ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
     FindMotion(job, band, buffers);
     const MutableImageView warped1 = band.Image(buffers.color1, kFormat, options.width);
-    WarpBand(mapped, band.Motion(buffers.from1), band, buffers, warped1);
-    InverseToneMapRows(warped1, band.first, band.last, out);
+    WarpBand(codes, band.Motion(buffers.from1), band, buffers, warped1);
+    DecodeRows(warped1, band, out);
   });
   if (!job.Interpolates()) return;
-  map(color0);
+  encode(color0);
   for (BandBuffers& worker : bands) worker.tiles.disoccluded = 0;  // they are found again
   ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
     FindMotion(job, band, buffers);
     const MutableMotionView from0 = band.Motion(buffers.from0), from1 = band.Motion(buffers.from1);
     const MutableImageView warped0 = band.Image(buffers.color0, kFormat, options.width);
     const MutableImageView warped1 = band.Image(buffers.color1, kFormat, options.width);
-    WarpBand(mapped, from0, band, buffers, warped0);
-    ToneMapRows(out, band.first, band.last, warped1);
+    WarpBand(codes, from0, band, buffers, warped0);
+    EncodeRows(out, band, warped1);
     BlendBand(job, {warped0, warped1, from0, from1}, band, warped1);
-    InverseToneMapRows(warped1, band.first, band.last, out);
+    DecodeRows(warped1, band, out);
   });
 }
 
@@ -225,17 +240,13 @@ inline void FrameGeneration::State::Generate(const DisplayedFrame& frame0,
 inline void FrameGeneration::State::Show(const ImageView& color, const MutableImageView& out) {
   for (BandBuffers& worker : bands) worker.tiles = {};
   tiles = 0;
-  ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
-    if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
-      const MutableImageView rows =
-          band.Image(buffers.color1, PixelFormat::kRgba32F, options.width);
-      ToneMapRows(color, band.first, band.last, rows);
-      InverseToneMapRows(rows, band.first, band.last, out);
-      return;
-    }
+  ForBands(kBandRows, [&](const Band& band, BandBuffers&) {
     for (int y = band.first; y < band.last; ++y) {
       for (int x = 0; x < options.width; ++x) {
-        StoreRgb(LoadRgb(color.format, color.At(x, y)), out.format, out.At(x, y));
+        const void* pixel = color.At(x, y);
+        StoreRgb(EncodingOf(options) == ColorEncoding::kLinearHdr ? LoadHdr(color.format, pixel)
+                                                                  : LoadRgb(color.format, pixel),
+                 out.format, out.At(x, y));
       }
     }
   });
@@ -289,7 +300,7 @@ FrameTiles FrameGeneration::Tiles() const {
 
 std::size_t FrameGeneration::MemoryBytes() const {
   std::size_t bytes = state_->forward.size() + state_->keys.size() +
-                      state_->reach.size() * sizeof(RowRange) + state_->mapped.bytes() +
+                      state_->reach.size() * sizeof(RowRange) + state_->codes.bytes() +
                       state_->filtered0.bytes() + state_->filtered1.bytes();
   if (state_->filter != nullptr) bytes += state_->filter->MemoryBytes();
   for (const BandBuffers& band : state_->bands) bytes += band.bytes();

@@ -55,6 +55,9 @@ struct GenerationJob {
   int width() const { return options.width; }
   int height() const { return options.height; }
   float depth_threshold() const { return options.parameters.generation_depth_threshold; }
+  float brightness_threshold() const {
+    return CodeContrast(EncodingOf(options)) * options.parameters.brightness_threshold;
+  }
 
   bool Contains(int x, int y) const { return x >= 0 && x < width() && y >= 0 && y < height(); }
 };

@@ -9,6 +9,7 @@
 
 #if HWY_TARGET != HWY_SCALAR
 #include "runtime/generation/blend-inl.h"
+#include "runtime/generation/hdr_rows-inl.h"
 #include "runtime/generation/splat-inl.h"
 #include "runtime/generation/target_motion-inl.h"
 #endif
@@ -22,9 +23,15 @@ RowKernels Kernels() {
   return ReferenceRowKernels();
 #else
   constexpr bool kSplats = Contains(kPipeline.generation.splat, true);
+  constexpr bool kHdr = Contains(kPipeline.generation.encoding, ColorEncoding::kLinearHdr);
   constexpr bool kTakesOwn = Contains(kPipeline.generation.splat, false);
-  return {ForwardRow, kSplats ? SplatRow : nullptr, kSplats ? TargetMotionRow : nullptr,
-          kTakesOwn ? OwnMotionRow : nullptr, BlendRow};
+  return {ForwardRow,
+          kSplats ? SplatRow : nullptr,
+          kSplats ? TargetMotionRow : nullptr,
+          kTakesOwn ? OwnMotionRow : nullptr,
+          BlendRow,
+          kHdr ? EncodeHdrRow : nullptr,
+          kHdr ? DecodeHdrRow : nullptr};
 #endif
 }
 
@@ -39,9 +46,9 @@ HWY_EXPORT(Kernels);
 
 RowKernels ReferenceRowKernels() {
   // Named, so that the linker can drop it: unnamed constants of a file share a section.
-  static constexpr RowKernels kKernels = {ForwardRowReference, SplatRowReference,
-                                          TargetMotionRowReference, OwnMotionRowReference,
-                                          BlendRowReference};
+  static constexpr RowKernels kKernels = {
+      ForwardRowReference, SplatRowReference,     TargetMotionRowReference, OwnMotionRowReference,
+      BlendRowReference,   EncodeHdrRowReference, DecodeHdrRowReference};
   return kKernels;
 }
 

@@ -6,6 +6,7 @@
 
 #include "runtime/generation/blend.h"
 #include "runtime/generation/generation_job.h"
+#include "runtime/generation/hdr_rows.h"
 #include "runtime/generation/splat.h"
 #include "runtime/generation/target_motion.h"
 
@@ -27,6 +28,9 @@ struct RowKernels {
   // Writes row y of the output.
   void (*blend)(const GenerationJob& job, const WarpedFrames& warped, int y,
                 const MutableImageView& out);
+  // Row y of linear HDR to codes, and back (runtime/generation/hdr_rows.h).
+  void (*encode_hdr)(const ImageView& linear, int y, const MutableImageView& to);
+  void (*decode_hdr)(const ImageView& codes, int y, const MutableImageView& to);
 };
 
 // Null for passes that the build does not contain.

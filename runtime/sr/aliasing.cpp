@@ -33,8 +33,9 @@ float ResidualVariance(float sum_of_squares, const float (&sums)[3], int count) 
   return std::max(sum_of_squares - squared_sums / n, 0.0f) / (3 * n);
 }
 
-AliasingMap::AliasingMap(int render_width, int render_height, float area)
+AliasingMap::AliasingMap(int render_width, int render_height, float area, float contrast)
     : most_smoothing_(MostSmoothing(area)),
+      variance_unit_(contrast * contrast),
       columns_(TileCount(render_width, kAliasingTile)),
       rows_(TileCount(render_height, kAliasingTile)),
       variances_(Index(rows_, 0)),
@@ -53,7 +54,7 @@ void AliasingMap::Finish() {
     bool any = false;
     for (int x = 0; x < columns_; ++x) {
       const float variance = Blurred(y, rows_, [&](int row) { return variances_[Index(row, x)]; });
-      smoothing_[Index(y, x)] = most_smoothing_ * Ramp(variance);
+      smoothing_[Index(y, x)] = most_smoothing_ * Ramp(variance / variance_unit_);
       any = any || smoothing_[Index(y, x)] > 0;
     }
     smooth_rows_[static_cast<std::size_t>(y)] = any ? 1 : 0;

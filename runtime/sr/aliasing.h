@@ -36,8 +36,8 @@ float ResidualVariance(float sum_of_squares, const float (&sums)[3], int count);
 class AliasingMap {
  public:
   AliasingMap() = default;
-  // `area`: output pixels for each sample.
-  AliasingMap(int render_width, int render_height, float area);
+  // `area`: output pixels for each sample; `contrast`: CodeContrast of the colours that residuals are differences of.
+  AliasingMap(int render_width, int render_height, float area, float contrast = 1);
 
   // Of the tiles of rows [kAliasingTile tile_row, ...), to be set by whoever made the residuals; threads may set different rows.
   float* Variances(int tile_row) { return &variances_[Index(tile_row, 0)]; }
@@ -59,6 +59,7 @@ class AliasingMap {
            static_cast<std::size_t>(column);
   }
   float most_smoothing_ = 0;
+  float variance_unit_ = 1;
   int columns_ = 0;
   int rows_ = 0;
   std::vector<float> variances_, smoothing_;

@@ -6,41 +6,30 @@
 #define WARPLUT_RUNTIME_SR_COLOR_INL_H_
 #endif
 
+#include "runtime/hdr_code-inl.h"
 #include "runtime/sr/geometry-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace warplut {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Floats LargestChannel(const Pixels& p) { return hn::Max(p.r, hn::Max(p.g, p.b)); }
-
-HWY_INLINE void ScaleChannels(Floats factor, Pixels& p) {
-  p.r = hn::Mul(p.r, factor);
-  p.g = hn::Mul(p.g, factor);
-  p.b = hn::Mul(p.b, factor);
-}
-
 HWY_INLINE void EncodePixels(ColorEncoding encoding, Pixels& p) {
   const FloatTag d;
   const auto one = hn::Set(d, 1.0f);
   const auto largest = hn::Set(d, std::numeric_limits<float>::max());
   for (Floats* channel : {&p.r, &p.g, &p.b}) {
-    const auto finite = hn::IfThenElseZero(hn::Le(hn::Abs(*channel), largest), *channel);
-    *channel = hn::Max(finite, hn::Zero(d));
-    if (encoding == ColorEncoding::kDisplay) *channel = hn::Min(*channel, one);
-  }
-  if (encoding == ColorEncoding::kLinearHdr) {
-    ScaleChannels(hn::Div(one, hn::Add(one, LargestChannel(p))), p);
+    if (encoding == ColorEncoding::kLinearHdr) {
+      *channel = HdrCodes(LimitHdrs(*channel));
+    } else {
+      const auto finite = hn::IfThenElseZero(hn::Le(hn::Abs(*channel), largest), *channel);
+      *channel = hn::Min(hn::Max(finite, hn::Zero(d)), one);
+    }
   }
 }
 
 HWY_INLINE void DecodePixels(ColorEncoding encoding, Pixels& p) {
-  const FloatTag d;
   if (encoding == ColorEncoding::kDisplay) return;
-  const auto one = hn::Set(d, 1.0f);
-  // The largest m that InverseToneMapFactor takes as it is.
-  const auto limit = hn::Set(d, kLargestHdr / (1.0f + kLargestHdr));
-  ScaleChannels(hn::Div(one, hn::Sub(one, hn::Min(LargestChannel(p), limit))), p);
+  for (Floats* channel : {&p.r, &p.g, &p.b}) *channel = HdrValues(*channel);
 }
 
 // `count` floats, the others 0.

@@ -105,6 +105,20 @@ float TileVariance(const Plane* residual, int first, int last, int begin, int en
   return ResidualVariance(squares, sums, (last - first) * (end - begin));
 }
 
+// The greatest of each channel of the samples (i - 1, j - 1) to (i + 2, j + 2), at least the code of kUnlimitedHdr: what a linear
+// HDR pixel between samples i and i + 1, j and j + 1 is limited to.
+Rgb BrightestSamples(const SrJob& job, int i, int j) {
+  const float unlimited = HdrCode(kUnlimitedHdr);
+  Rgb brightest = {{unlimited, unlimited, unlimited}};
+  for (int c = 0; c < 3; ++c) {
+    for (int y = j - 1; y <= j + 2; ++y) {
+      const float* row = job.planes.color[c].Row(y);
+      brightest.c[c] = std::max(brightest.c[c], *std::max_element(row + i - 1, row + i + 3));
+    }
+  }
+  return brightest;
+}
+
 }  // namespace
 
 void FillPlanesReference(const SuperResolutionOptions& options, const RenderedFrame& frame,
@@ -276,6 +290,10 @@ void UpdateReference(const SrJob& job, int begin, int end, SrScratch& scratch,
                 ? UpdateFromSamples(job, x, y, q, validity)
                 : UpdateFromResidual(job, x, y, q, validity,
                                      smooth ? smoothing[job.x.cell()[x]] : 0.0f);
+      }
+      if (EncodingOf(job.options) == ColorEncoding::kLinearHdr && KeepsHistory(job.options)) {
+        const Rgb limit = BrightestSamples(job, job.x.cell()[x], job.y.cell()[y]);
+        for (int c = 0; c < 3; ++c) q.c[c] = std::min(q.c[c], limit.c[c]);
       }
       for (float& channel : q.c) channel = Limit(channel);
       for (int c = 0; c < 3; ++c) Store(job.next, x, y, c, q.c[c]);

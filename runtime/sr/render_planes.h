@@ -21,7 +21,7 @@ struct RenderPlanes {
 
   std::size_t bytes() const { return 3 * color[0].bytes() + depth.bytes() + 2 * motion_x.bytes(); }
 
-  Plane color[3];  // R, G, B in [0, 1]; linear HDR is tone-mapped
+  Plane color[3];  // R, G, B in [0, 1]; codes of linear HDR
   // Without rows where motion is not read.
   Plane depth;               // in [0, kFarthestDepth]
   Plane motion_x, motion_y;  // render pixels; NaN where either component is not finite
@@ -41,16 +41,19 @@ inline bool IsFiniteMotion(float x, float y) {
 inline void EncodeColor(ColorEncoding encoding, float (&rgb)[3]) {
   constexpr float kLargest = std::numeric_limits<float>::max();
   for (float& channel : rgb) {
-    const float finite = std::abs(channel) <= kLargest ? channel : 0.0f;
-    const float positive = std::max(finite, 0.0f);
-    channel = encoding == ColorEncoding::kDisplay ? std::min(positive, 1.0f) : positive;
+    if (encoding == ColorEncoding::kLinearHdr) {
+      channel = HdrCode(LimitHdr(channel));
+    } else {
+      const float finite = std::abs(channel) <= kLargest ? channel : 0.0f;
+      channel = std::clamp(finite, 0.0f, 1.0f);
+    }
   }
-  if (encoding == ColorEncoding::kLinearHdr) ToneMap(rgb);
 }
 
 // The way back, from [0, 1].
 inline void DecodeColor(ColorEncoding encoding, float (&rgb)[3]) {
-  if (encoding == ColorEncoding::kLinearHdr) InverseToneMap(rgb);
+  if (encoding == ColorEncoding::kDisplay) return;
+  for (float& channel : rgb) channel = HdrValue(channel);
 }
 
 }  // namespace warplut

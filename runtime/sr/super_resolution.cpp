@@ -86,7 +86,8 @@ inline SuperResolution::State::State(const SuperResolutionOptions& chosen, Execu
     for (Plane& channel : residual) channel = plane();
   }
   if (SmoothsAliasing(options)) {
-    aliasing = AliasingMap(options.render_width, options.render_height, x.scale() * y.scale());
+    aliasing = AliasingMap(options.render_width, options.render_height, x.scale() * y.scale(),
+                           CodeContrast(EncodingOf(options)));
   }
   if (WarpsHistory(options)) {
     history = ImageBuffer(options.output_width, options.output_height, HistoryFormatOf(options));

@@ -93,7 +93,22 @@ HWY_INLINE Floats BlendShares(float a, Floats weight) {
 }
 
 // Rows of the scratch, mixed for a row of the output but the smoothing.
-enum UpdateRow { kResidualRow, kColorRow = 3, kSmoothingRow = 6 };
+enum UpdateRow { kResidualRow, kColorRow = 3, kSmoothingRow = 6, kLimitRow = 7 };
+
+// BrightestSamples of one channel, for all samples (i, j) of row j as the upper left one.
+HWY_INLINE void FillLimitRow(const Plane& color, int j, float* limit) {
+  const FloatTag d;
+  const auto unlimited = hn::Set(d, HdrCode(kUnlimitedHdr));
+  for (int i = 0; i < color.width(); i += kLanes) {
+    auto brightest = unlimited;
+    for (int y = j - 1; y <= j + 2; ++y) {
+      for (int x = i - 1; x <= i + 2; ++x) {
+        brightest = hn::Max(brightest, hn::LoadU(d, color.Row(y) + x));
+      }
+    }
+    hn::Store(brightest, d, limit + i);
+  }
+}
 
 // UpdateFromResidual for kLanes pixels, whose alpha is the validity; `smooths` says whether there is a row of smoothing.
 HWY_INLINE void AddResidual(const SrJob& job, int x, int y, const Plane& rows, bool smooths,
@@ -170,7 +185,8 @@ inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
   const bool residual = HasResidual(options);
   const bool samples = KeepsHistory(options) && !residual;
   Plane& rows = scratch.render_rows;
-  int smoothing_row = -1;  // of samples
+  const bool limits = EncodingOf(options) == ColorEncoding::kLinearHdr && KeepsHistory(options);
+  int smoothing_row = -1, limit_row = -1;  // of samples
   bool smooths = false;
   for (int y = begin; y < end; ++y) {
     const int j = job.y.cell()[y];
@@ -186,11 +202,21 @@ inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
       smooths = job.aliasing->FillRow(j, rows.Row(kSmoothingRow));
     }
     if (smooths) mix(job.planes.color, kColorRow);
+    if (limits && j != limit_row) {
+      limit_row = j;
+      for (int c = 0; c < 3; ++c) FillLimitRow(job.planes.color[c], j, rows.Row(kLimitRow + c));
+    }
     for (int x = 0; x < job.x.output(); x += kLanes) {
       const int left = job.x.output() - x;
       Pixels p = LoadPixels(next, x, y, left);
       if (residual) AddResidual(job, x, y, rows, smooths, p);
       if (samples) BlendSamples(job, x, y, p);
+      if (limits) {
+        const Columns cell(job.x.cell(), x);
+        p.r = hn::Min(p.r, cell.At(rows.Row(kLimitRow)));
+        p.g = hn::Min(p.g, cell.At(rows.Row(kLimitRow + 1)));
+        p.b = hn::Min(p.b, cell.At(rows.Row(kLimitRow + 2)));
+      }
       p = {Limit(p.r), Limit(p.g), Limit(p.b), hn::Set(d, 1.0f)};
       StorePixels(p, next, x, y, left);
       DecodePixels(EncodingOf(options), p);

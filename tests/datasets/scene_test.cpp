@@ -7,6 +7,7 @@
 
 #include "datasets/error.h"
 #include "datasets/scenes/scene_renderer.h"
+#include "datasets/scenes/sky.h"
 
 namespace warplut {
 namespace {
@@ -45,6 +46,33 @@ TEST(Scenes, AreNamedOnceAndSplitByScene) {
   }
   EXPECT_GE(training, 4);
   EXPECT_GE(held_out, 2);
+}
+
+// A sample of a display frame is that of a linear one through the display curve.
+TEST(Scenes, LinearFramesAreWhatTheDisplayCurveGets) {
+  RenderOptions options = Small();
+  options.samples = 1;
+  const Frame display = SceneRenderer("gallery", options).Render(1);
+  options.linear = true;
+  const Frame linear = SceneRenderer("gallery", options).Render(1);
+  options.exposure = 16;
+  const Frame exposed = SceneRenderer("gallery", options).Render(1);
+  float brightest = 0;
+  for (Image Frame::*image : {&Frame::color, &Frame::reference}) {
+    for (int y = 0; y < (linear.*image).height; ++y) {
+      for (int x = 0; x < (linear.*image).width; ++x) {
+        const float* light = &(linear.*image).at(x, y);
+        const scenes::Rgb shown = scenes::DisplayCurve({light[0], light[1], light[2]});
+        for (int c = 0; c < 3; ++c) {
+          ASSERT_NEAR((display.*image).at(x, y, c), shown[c], 1e-6f);
+          ASSERT_FLOAT_EQ((exposed.*image).at(x, y, c), 16 * light[c]);
+          brightest = std::max(brightest, (exposed.*image).at(x, y, c));
+        }
+      }
+    }
+  }
+  EXPECT_GT(brightest, 4);
+  EXPECT_EQ(linear.motion.data, display.motion.data);
 }
 
 TEST(Scenes, AllRenderEveryStreamInRange) {

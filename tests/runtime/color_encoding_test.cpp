@@ -3,48 +3,76 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+
+#include "runtime/half.h"
 
 namespace warplut {
 namespace {
 
-template <class T>
-T RoundTrip(T value) {
-  const T mapped = value * ToneMapFactor(value);
-  return mapped * InverseToneMapFactor(mapped);
+template <class Check>
+void ForHdrValues(const Check& check) {
+  for (float x = 1e-6f; x < kLargestHdr; x *= 1.03f) check(x);
 }
 
-TEST(ToneMap, MapsToLessThanOneAndRises) {
-  double before = -1;
-  for (double m = 0; m <= kLargestHdr; m = 1.5 * m + 1e-3) {
-    const double mapped = m * ToneMapFactor(m);
-    EXPECT_GT(mapped, before);
-    EXPECT_LT(mapped, 1);
-    before = mapped;
+TEST(HdrCode, RisesFromZeroToOne) {
+  EXPECT_EQ(HdrCode(0), 0);
+  EXPECT_FLOAT_EQ(HdrCode(kLargestHdr), 1);
+  EXPECT_EQ(HdrValue(0), 0);
+  EXPECT_FLOAT_EQ(HdrValue(1), kLargestHdr);
+  EXPECT_LE(HdrValue(1), kLargestHdr);
+  float before = 0;
+  ForHdrValues([&](float x) {
+    EXPECT_GT(HdrCode(x), before);
+    before = HdrCode(x);
+  });
+}
+
+TEST(HdrCode, IsALogarithmAboveALinearFoot) {
+  ForHdrValues([](float x) {
+    EXPECT_NEAR(kHdrOctaves * HdrCode(x), std::log2(1 + kHdrGain * x), 0.009) << x;
+  });
+}
+
+TEST(HdrCode, HasAContinuousSlope) {
+  const auto slope = [](double x, double to) {
+    return (HdrCode(static_cast<float>(to)) - HdrCode(static_cast<float>(x))) / (to - x);
+  };
+  for (int k = 1; k < kHdrOctaves; ++k) {
+    const double x = (std::exp2(k) - 1) / kHdrGain;
+    EXPECT_NEAR(slope(0.98 * x, x) / slope(x, 1.02 * x), 1, 0.03) << k;
   }
 }
 
-TEST(ToneMap, IsReversible) {
-  for (double m = 0; m <= kLargestHdr; m = 1.5 * m + 1e-3) {
-    EXPECT_NEAR(RoundTrip(m), m, 1e-9 * (1 + m) * (1 + m)) << m;
-    // A float mapped value resolves m to 2^-24 (1 + m)^2.
-    const auto f = static_cast<float>(m);
-    EXPECT_NEAR(RoundTrip(f), f, 0x1p-22 * (1 + m) * (1 + m)) << m;
-  }
+TEST(HdrCode, IsReversible) {
+  ForHdrValues(
+      [](float x) { EXPECT_NEAR(HdrValue(HdrCode(x)), x, 2e-6f * (x + 1 / kHdrGain)) << x; });
 }
 
-TEST(ToneMap, KeepsTheRatioOfChannels) {
-  const float rgb[] = {4.0f, 1.0f, 0.25f};
-  const float factor = ToneMapFactor(rgb[0]);
-  const float back = InverseToneMapFactor(rgb[0] * factor);
-  for (const float channel : rgb) EXPECT_NEAR(channel * factor * back, channel, 1e-5f);
+// Unlike a half that holds x / (1 + x), which cannot tell 1000 from 800.
+TEST(HdrCode, SurvivesAHalf) {
+  ForHdrValues([](float x) {
+    const float half = HalfToFloat(FloatToHalf(HdrCode(x)));
+    const float bound = (half < 0.5f ? 0.002f : 0.0041f) * (x + 1 / kHdrGain);
+    EXPECT_NEAR(HdrValue(half), x, bound) << x;
+  });
 }
 
-TEST(ToneMap, LimitsWhatResamplingOvershoots) {
-  for (const float mapped : {1.0f, 1.25f, 100.0f}) {
-    const float value = std::min(mapped, 1.0f) * InverseToneMapFactor(mapped);
-    EXPECT_TRUE(std::isfinite(value));
-    EXPECT_NEAR(value, kLargestHdr, 0.01f * kLargestHdr);
-  }
+TEST(HdrCode, OvershootIsAMultiple) {
+  ForHdrValues([](float x) {
+    const float code = std::min(1.05f * HdrCode(x), 1.0f);
+    EXPECT_LT(HdrValue(code), 2.2f * x) << x;
+  });
+}
+
+TEST(LimitHdr, TakesWhatIsNoLinearColour) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(LimitHdr(std::numeric_limits<float>::quiet_NaN()), 0);
+  EXPECT_EQ(LimitHdr(-kInfinity), 0);
+  EXPECT_EQ(LimitHdr(-1), 0);
+  EXPECT_EQ(LimitHdr(3), 3);
+  EXPECT_EQ(LimitHdr(1e9f), kLargestHdr);
+  EXPECT_EQ(LimitHdr(kInfinity), kLargestHdr);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "datasets/srgb_curve.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/train/pan_sequence.h"
@@ -112,14 +113,15 @@ TEST_F(SequenceScoresTest, RefusesWhatCannotBeJudged) {
   ExpectError([&] { Show(wide, 1, 0); }, {"0011", "border of 40"});
 }
 
-TEST(JudgedImage, IsToneMappedWhereLinear) {
+TEST(JudgedImage, IsWhatADisplayShowsWhereLinear) {
   Image hdr(1, 1, 3);
   hdr.data = {3, 1, -2};
   const ImageBuffer buffer = ToBuffer(hdr, PixelFormat::kRgba32F);
   const Image judged = JudgedImage(buffer.view(), ColorEncoding::kLinearHdr);
-  EXPECT_FLOAT_EQ(judged.data[0], 0.75f);
-  EXPECT_FLOAT_EQ(judged.data[1], 0.25f);
+  EXPECT_FLOAT_EQ(judged.data[0], SrgbCurve(0.75f));
+  EXPECT_FLOAT_EQ(judged.data[1], SrgbCurve(0.25f));
   EXPECT_FLOAT_EQ(judged.data[2], 0);
+  EXPECT_NEAR(SrgbCurve(0.25f), 0.5371f, 1e-4f);
   EXPECT_EQ(JudgedImage(buffer.view(), ColorEncoding::kDisplay).data, hdr.data);
 }
 

@@ -15,6 +15,18 @@ namespace {
 
 using namespace generation;
 
+// What the sources hold.
+struct Content {
+  const char* name;
+  PixelFormat format;
+  ColorEncoding encoding = ColorEncoding::kDisplay;
+};
+constexpr Content kContents[] = {
+    {"rgba8", PixelFormat::kRgba8},
+    {"rgba16f", PixelFormat::kRgba16F},
+    {"HDR16f", PixelFormat::kRgba16F, ColorEncoding::kLinearHdr},
+};
+
 constexpr float kAlpha = 0.5f;
 constexpr float kFlippedBound = 1;  // code values
 
@@ -73,13 +85,16 @@ class Passes {
   std::vector<std::uint8_t> disoccluded_;
 };
 
-GenerationBenchmarkRow Measure(const BenchSize& size, PixelFormat format, const std::string& motion,
-                               bool interpolates, int repeats, const Table& table) {
+GenerationBenchmarkRow Measure(const BenchSize& size, const Content& content,
+                               const std::string& motion, bool interpolates, int repeats,
+                               const Table& table) {
   FrameGenerationOptions options;
   options.width = size.width;
   options.height = size.height;
   options.warp.filter = Filter::kLut;
   options.warp.table = &table;
+  options.encoding = content.encoding;
+  const PixelFormat format = content.format;
   const BenchScene scene({.width = size.width,
                           .height = size.height,
                           .format = format,
@@ -100,7 +115,7 @@ GenerationBenchmarkRow Measure(const BenchSize& size, PixelFormat format, const 
   GenerationBenchmarkRow row;
   row.width = size.width;
   row.height = size.height;
-  row.format = format;
+  row.content = content.name;
   row.motion = motion;
   row.interpolates = interpolates;
   row.flipped = FlippedShare(std::as_const(out).view(), std::as_const(other).view(), kFlippedBound);
@@ -108,7 +123,7 @@ GenerationBenchmarkRow Measure(const BenchSize& size, PixelFormat format, const 
   if (row.flipped > 0) {
     throw Error(fmt::format(
         "generation benchmark, {} x {} {} {}: {:.3g} of the pixels differ from the reference.",
-        size.width, size.height, Name(format), motion, row.flipped));
+        size.width, size.height, content.name, motion, row.flipped));
   }
 
   Passes passes(options, frame, interpolates);
@@ -131,7 +146,10 @@ GenerationBenchmarkRow Measure(const BenchSize& size, PixelFormat format, const 
   row.splat = Summarise(times[1]);
   row.target_motion = Summarise(times[2]);
   row.blend = Summarise(times[3]);
-  if (size.height == 1080 && motion == "smooth" && interpolates) row.target = kGenerationTarget;
+  if (size.height == 1080 && motion == "smooth" && interpolates &&
+      content.encoding == ColorEncoding::kDisplay) {
+    row.target = kGenerationTarget;
+  }
   return row;
 }
 
@@ -150,10 +168,10 @@ std::vector<GenerationBenchmarkRow> RunGenerationBenchmark(
   const Table table(baked::kWarplutX2);
   std::vector<GenerationBenchmarkRow> rows;
   for (const BenchSize& size : kBenchSizes) {
-    for (const PixelFormat format : {PixelFormat::kRgba8, PixelFormat::kRgba16F}) {
+    for (const Content& content : kContents) {
       for (const std::string motion : kBenchMotions) {
         for (const bool interpolates : {true, false}) {
-          rows.push_back(Measure(size, format, motion, interpolates, options.repeats, table));
+          rows.push_back(Measure(size, content, motion, interpolates, options.repeats, table));
         }
       }
     }
@@ -172,7 +190,7 @@ std::string FormatTable(const std::vector<GenerationBenchmarkRow>& rows) {
     text += fmt::format(
         "{:<12} {:<8} {:<8} {:<12} {:>7.2f} {:>7.2f} {:>6.2f} [{:>4.2f}, {:>5.2f}] {:>7} {:>8.2f} "
         "{:>6.2f} {:>7.2f} {:>6.2f} {:>7.2f}\n",
-        fmt::format("{} x {}", row.width, row.height), Name(row.format), row.motion,
+        fmt::format("{} x {}", row.width, row.height), row.content, row.motion,
         row.interpolates ? "alpha" : "1 + alpha", row.frame.median, row.warp.median,
         row.ratio.median, row.ratio.min, row.ratio.max, TargetText(row.target, row.met()),
         row.forward.median, row.splat.median, row.target_motion.median, row.blend.median,

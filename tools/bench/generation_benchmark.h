@@ -20,7 +20,7 @@ struct GenerationBenchmarkOptions {
 
 struct GenerationBenchmarkRow {
   int width = 0, height = 0;
-  PixelFormat format = PixelFormat::kRgba8;  // of sources and output
+  std::string content;        // of sources and output: "rgba8", "rgba16f" or, linear HDR, "HDR16f"
   std::string motion;         // "smooth" (another motion at every pixel) or "uniform"
   bool interpolates = false;  // else extrapolates
   Timing frame;               // milliseconds per frame
@@ -35,7 +35,7 @@ struct GenerationBenchmarkRow {
   bool met() const { return target == 0 || ratio.median <= target; }
 };
 
-// 1280 x 720 and 1920 x 1080, RGBA8 and RGBA16F. Before a row is timed its frame is compared with the plain version of every
+// 1280 x 720 and 1920 x 1080, RGBA8, RGBA16F and linear HDR in RGBA16F. Before a row is timed its frame is compared with the plain version of every
 // pass; an Error names the row if any pixel differs by more than a code value.
 std::vector<GenerationBenchmarkRow> RunGenerationBenchmark(
     const GenerationBenchmarkOptions& options);

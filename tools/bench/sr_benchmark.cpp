@@ -18,12 +18,16 @@ constexpr double kFlippedShare = 1e-3;
 struct Variant {
   const char* name;
   void (*apply)(SuperResolutionOptions& options);
+  PixelFormat format = PixelFormat::kRgba8;  // of the colour and the output
 };
 constexpr Variant kVariants[] = {
     {"default", [](SuperResolutionOptions&) {}},
     {"sample form", [](SuperResolutionOptions& o) { o.form = HistoryForm::kSample; }},
     {"no clamp", [](SuperResolutionOptions& o) { o.clamp = ColorClamp::kNone; }},
     {"no history", [](SuperResolutionOptions& o) { o.history = false; }},
+    {"rgba16f", [](SuperResolutionOptions&) {}, PixelFormat::kRgba16F},
+    {"linear HDR", [](SuperResolutionOptions& o) { o.encoding = ColorEncoding::kLinearHdr; },
+     PixelFormat::kRgba16F},
 };
 
 double CompareWithReference(const BenchScene& scene, SuperResolutionOptions options) {
@@ -54,6 +58,7 @@ SrBenchmarkRow Measure(const BenchSize& size, const std::string& motion, const V
   variant.apply(options);
   const BenchScene scene({.width = options.render_width,
                           .height = options.render_height,
+                          .format = variant.format,
                           .uniform = motion == "uniform",
                           .output_scale = static_cast<float>(benchmark.scale)});
 
@@ -72,7 +77,7 @@ SrBenchmarkRow Measure(const BenchSize& size, const std::string& motion, const V
 
   SerialExecutor executor;
   SuperResolution sr(options, executor);
-  ImageBuffer out(size.width, size.height, PixelFormat::kRgba8);
+  ImageBuffer out(size.width, size.height, variant.format);
   ImageBuffer history(size.width, size.height, PixelFormat::kRgba16F);
   ImageBuffer warped(size.width, size.height, PixelFormat::kRgba16F);
   row.memory = static_cast<double>(sr.MemoryBytes()) / static_cast<double>(history.bytes());

@@ -17,7 +17,7 @@ struct LumaPlane {
   PlaneView view() const { return {values.data(), width, height, width}; }
 };
 
-// kLumaWeights (datasets/luma.h) of an RGBA image, 8-bit codes divided by 255; tone-mapped (runtime/color_encoding.h) where linear.
+// kLumaWeights (datasets/luma.h) of an RGBA image as a display shows it (train/displayed_color.h), 8-bit codes divided by 255.
 LumaPlane LumaOf(const ImageView& image, ColorEncoding encoding, Executor& executor);
 
 }  // namespace warplut

@@ -135,10 +135,11 @@ TEST_F(PipelineCode, PassesThatAreLeftOutHaveNoSymbols) {
   const std::map<std::string, std::vector<std::string>> absent = {
       {"sample",
        {"Residual", "FilterRow", "SplatRow", "TargetMotionRow", "ForwardRow", "BlendRow",
-        "PredictReference", "UpdateReference", "WarpReferencePixels", "RepairRow", "ToneMapRows"}},
+        "PredictReference", "UpdateReference", "WarpReferencePixels", "RepairRow", "EncodeHdrRow",
+        "LimitHdrRow"}},
       {"interpolation",
        {"FillPlanes", "Predict", "Residual", "Update", "DepthRange", "FilterRow", "OwnMotionRow",
-        "SplatRowReference", "BlendRowReference", "RepairRow", "ToneMapRows"}},
+        "SplatRowReference", "BlendRowReference", "RepairRow", "EncodeHdrRow", "LimitHdrRow"}},
       {"static",
        {"DepthRange", "FilterRow", "SplatRow", "BlendRow", "WarpGeneral", "WarpUniform", "WarpRows",
         "ClassifyTile", "PredictReference"}}};

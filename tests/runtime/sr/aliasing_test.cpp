@@ -63,6 +63,17 @@ TEST(AliasingMap, IsARampOfTheDeviation) {
   expect(1.0f, kMostSmoothing);
 }
 
+TEST(AliasingMap, RampIsInUnitsOfTheContrast) {
+  constexpr float kContrast = 0.25f;
+  AliasingMap map(kWidth, kHeight, kArea, kContrast);
+  SetAll(map, Variance(kContrast * kMostAliasing));
+  map.Finish();
+  for (const float value : RowOf(map, 3)) EXPECT_NEAR(value, kMostSmoothing, 1e-5f);
+  SetAll(map, Variance(kContrast * kLeastAliasing));
+  map.Finish();
+  EXPECT_TRUE(RowOf(map, 3).empty());
+}
+
 // Tiles are blurred and interpolated: no step from one sample to the next, and nothing four tiles away.
 TEST(AliasingMap, ChangesSmoothlyFromTileToTile) {
   AliasingMap map(8 * kAliasingTile, 8 * kAliasingTile, kArea);

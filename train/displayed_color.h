@@ -1,0 +1,23 @@
+// Colour as a display shows it, which is what images are judged and losses computed in.
+#pragma once
+
+#include <algorithm>
+
+#include "datasets/srgb_curve.h"
+#include "runtime/color_encoding.h"
+
+namespace warplut {
+
+// The factor that tone-maps (r, g, b) >= 0 by its largest channel. Source: Karis, "Tone mapping", 2013.
+inline float ToneMapFactor(float largest) { return 1 / (1 + largest); }
+
+// (r, g, b) to display values, in place. kDisplay: as it is. kLinearHdr: negative channels as 0, tone-mapped by
+// 1 / (1 + largest channel), then the sRGB curve; so 1 is shown as 0.735, and no exposure is chosen for the content.
+inline void ToDisplay(ColorEncoding encoding, float* rgb) {
+  if (encoding == ColorEncoding::kDisplay) return;
+  for (int c = 0; c < 3; ++c) rgb[c] = std::max(rgb[c], 0.0f);
+  const float factor = ToneMapFactor(std::max({rgb[0], rgb[1], rgb[2]}));
+  for (int c = 0; c < 3; ++c) rgb[c] = SrgbCurve(rgb[c] * factor);
+}
+
+}  // namespace warplut
