@@ -21,7 +21,7 @@ inline constexpr float kLargestHdr = 65504.0f;
 inline float LimitHdr(float x) { return x > 0.0f ? std::min(x, kLargestHdr) : 0.0f; }
 
 // The code of x in [0, kLargestHdr], in [0, 1]: log2(1 + kHdrGain x) / kHdrOctaves, but within each octave, from 2^k to
-// 2^(k+1), the logarithm is k + f (4 - f) / 3 with 1 + f the mantissa. That has a continuous slope, is within 0.009 of the
+// 2^(k+1), the logarithm is k + f (4 - f) / 3 with 1 + f the mantissa. That has a continuous slope, is within 0.01 of the
 // logarithm and has an exact inverse. Linear below about 1 / 64, logarithmic above: resampling cannot overshoot to more than a
 // multiple, and a code that is off by e means a value that is off by at most 16.5 e (x + 1 / kHdrGain), in half floats
 // by 0.2 % for x up to about 30 and 0.4 % above.

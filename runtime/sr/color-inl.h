@@ -13,10 +13,12 @@ HWY_BEFORE_NAMESPACE();
 namespace warplut {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE void EncodePixels(ColorEncoding encoding, Pixels& p) {
+// Pixels that were loaded from an image of this format.
+HWY_INLINE void EncodePixels(ColorEncoding encoding, PixelFormat format, Pixels& p) {
   const FloatTag d;
   const auto one = hn::Set(d, 1.0f);
-  const auto largest = hn::Set(d, std::numeric_limits<float>::max());
+  const auto largest =
+      hn::Set(d, format == PixelFormat::kRgba16F ? kLargestHdr : std::numeric_limits<float>::max());
   for (Floats* channel : {&p.r, &p.g, &p.b}) {
     if (encoding == ColorEncoding::kLinearHdr) {
       *channel = HdrCodes(LimitHdrs(*channel));
@@ -57,7 +59,7 @@ HWY_INLINE void FillColorRow(const SuperResolutionOptions& options, const ImageV
   const FloatTag d;
   for (int x = 0; x < color.width; x += kLanes) {
     Pixels p = LoadPixels(color, x, y, color.width - x);
-    EncodePixels(EncodingOf(options), p);
+    EncodePixels(EncodingOf(options), color.format, p);
     hn::Store(p.r, d, planes.color[0].Row(y) + x);
     hn::Store(p.g, d, planes.color[1].Row(y) + x);
     hn::Store(p.b, d, planes.color[2].Row(y) + x);

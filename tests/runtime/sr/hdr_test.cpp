@@ -112,6 +112,27 @@ TEST(SuperResolutionHdr, InfinityIsBrightNanAndNegativeAreBlack) {
   }
 }
 
+TEST(SuperResolutionHdr, OnDisplaysInfinityIsBlack) {
+  for (const PixelFormat format : {PixelFormat::kRgba16F, PixelFormat::kRgba32F}) {
+    for (const bool reference : {false, true}) {
+      SuperResolutionOptions options = HdrOptions();
+      options.encoding = ColorEncoding::kDisplay;
+      options.reference = reference;
+      SerialExecutor executor;
+      SuperResolution sr(options, executor);
+      TestFrame frame(kWidth, kHeight, format);
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) frame.SetColor(x, y, kInfinity, 6e4f, -kInfinity);
+      }
+      ImageBuffer out = OutputOf(options);
+      sr.Process(frame.View(), out.view());
+      EXPECT_EQ(At(out, 9, 9, 0), 0);
+      EXPECT_EQ(At(out, 9, 9, 1), 1);
+      EXPECT_EQ(At(out, 9, 9, 2), 0);
+    }
+  }
+}
+
 TEST(SuperResolutionHdr, HighlightsSurviveTheHistory) {
   for (const float value : {0.002f, 0.3f, 40.0f, 3e3f, 6e4f}) {
     SuperResolutionOptions options = HdrOptions();
