@@ -8,7 +8,7 @@
 namespace warplut {
 
 struct Parameters {
-  float sr_depth_threshold = 0.1f;          // T_D of super resolution
+  float sr_depth_threshold = 0.05f;         // T_D of super resolution
   float generation_depth_threshold = 0.3f;  // T_D of frame generation
   float brightness_threshold = 0.05f;       // T_B
   float blend_a = 1.0f;                     // a

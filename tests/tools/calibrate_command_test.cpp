@@ -92,9 +92,10 @@ TEST_F(CalibrateCommand, JudgesByWhatIsHeldOut) {
 }
 
 TEST_F(CalibrateCommand, KeepsTheOptimumIfAskedTo) {
-  const ProgramResult near = RunWarplut(Arguments({"--json"}));
+  const ProgramResult near = RunWarplut(Arguments({"--fit", "blend_a,clamp_gamma", "--json"}));
   ASSERT_EQ(near.code, 0) << near.err;
-  const ProgramResult optimum = RunWarplut(Arguments({"--keep", "optimum", "--json"}));
+  const ProgramResult optimum =
+      RunWarplut(Arguments({"--fit", "blend_a,clamp_gamma", "--keep", "optimum", "--json"}));
   ASSERT_EQ(optimum.code, 0) << optimum.err;
   const auto of_near = nlohmann::json::parse(near.out)["calibration"];
   const auto of_optimum = nlohmann::json::parse(optimum.out)["calibration"];

@@ -11,7 +11,7 @@ constexpr StabilityCase GateCase(const char* name, const char* required,
 }
 
 constexpr const char* kDepthRequired =
-    "neighbouring codes pass T_D = 0.1, relative, up to the far plane, 1e5 for a near plane of "
+    "neighbouring codes pass the default T_D up to the far plane, 1e5 for a near plane of "
     "1e-3";
 
 constexpr StabilityCase kCases[] = {
@@ -40,23 +40,21 @@ constexpr StabilityCase kCases[] = {
              "distances from which one code is more than T_D, within a code of the derived ones",
              DepthCodesAsDerived),
     GateCase("T_D with 16 bits forward", kDepthRequired, DepthGate16Forward,
-             "beyond 6 units one code of depth is more than T_D: a surface whose depth changes by "
+             "beyond 3 units one code of depth is more than T_D: a surface whose depth changes by "
              "a code loses its history there and is shown from the current frame alone"),
     GateCase("T_D with 16 bits reversed", kDepthRequired, DepthGate16Reversed,
-             "as with 16 bits forward, from 6 units on: integers are as coarse either way round"),
+             "as with 16 bits forward, from 3 units on: integers are as coarse either way round"),
     GateCase("T_D with 24 bits forward", kDepthRequired, DepthGate24Forward,
-             "beyond 1500 units one code of depth is more than T_D, and a surface whose depth "
+             "beyond 800 units one code of depth is more than T_D, and a surface whose depth "
              "changes by a code loses its history"),
-    GateCase(
-        "T_D with 24 bits reversed", kDepthRequired, DepthGate24Reversed,
-        "as with 24 bits forward, from 1500 units on: integers are as coarse either way round"),
+    GateCase("T_D with 24 bits reversed", kDepthRequired, DepthGate24Reversed,
+             "as with 24 bits forward, from 800 units on: integers are as coarse either way round"),
     GateCase("T_D with float forward", kDepthRequired, DepthGateFloatForward,
-             "beyond 1500 units one code of depth is more than T_D: near 1 a float is no finer "
+             "beyond 800 units one code of depth is more than T_D: near 1 a float is no finer "
              "than 24 bits"),
     GateCase("T_D with float reversed", kDepthRequired, DepthGateFloatReversed),
     GateCase("T_D with 24 bits from 0.1 to 1000",
-             "neighbouring codes pass T_D = 0.1, relative, up to the far plane",
-             DepthGate24Moderate),
+             "neighbouring codes pass the default T_D up to the far plane", DepthGate24Moderate),
 };
 
 }  // namespace
