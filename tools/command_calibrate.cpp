@@ -293,7 +293,7 @@ void AddCalibrateCommand(CLI::App& app, CommandRun* run) {
       ->add_option(
           "--keep", a.keep,
           "near: go from the defaults as far as the clips tell; optimum: all the way to the "
-          "best for these clips, for content that is no other")
+          "best for these clips, for content that is no other or for many different clips")
       ->check(CLI::IsMember({"near", "optimum"}))
       ->capture_default_str();
   command->add_option("--starts", a.starts, "Random starts, beside the defaults and the paper's")
