@@ -32,8 +32,7 @@ judge() {
 rows() {
   judge "$1" street+plaza harbour,gallery,colonnade --sequence "$out"/scenes/*/
   if [ -z "$data" ]; then return; fi
-  # Recorded motion may be quantised.
-  set -- "$1" --motion-filter auto --sequence
+  set -- "$1" --sequence
   judge "$1" stk-lighthouse stk-scotland "$2" "$3" "$4" "$data/stk-lighthouse" "$data/stk-scotland"
   judge "$1" stk-scotland stk-lighthouse "$2" "$3" "$4" "$data/stk-lighthouse" "$data/stk-scotland"
   judge "$1" mobfgsr-sample stk-lighthouse,stk-scotland "$2" "$3" "$4" "$data"/*/

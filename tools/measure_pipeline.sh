@@ -15,7 +15,7 @@ lut=luts/baked/warplut_sr_x2.json
 defaults() {
   table=$out/tables/$1.md
   shift
-  "$warplut" eval --sequence "$data"/*/ --modes sr,i,isr --lut "$lut" --motion-filter auto --markdown "$@" \
+  "$warplut" eval --sequence "$data"/*/ --modes sr,i,isr --lut "$lut" --markdown "$@" \
     > "$table.part"
   mv "$table.part" "$table"
 }
@@ -40,10 +40,10 @@ leave_one_out() {
     done
     shift
     # shellcheck disable=SC2086 # the options have no spaces
-    "$warplut" calibrate --sequence "$@" --modes sr,i,e --lut "$lut" --motion-filter auto --max-pixels 60000 \
+    "$warplut" calibrate --sequence "$@" --modes sr,i,e --lut "$lut" --max-pixels 60000 \
       --starts 0 --out "$params" $options > "$params.txt"
     # shellcheck disable=SC2086
-    "$warplut" eval --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" --motion-filter auto \
+    "$warplut" eval --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" \
       --params "$params" --pictures "$out/pictures$(echo "$options" | tr -d ' ')" --markdown $options \
       > "$out/$name.txt"
     grep -v '\.png: ' "$out/$name.txt" >> "$table.part"

@@ -21,8 +21,8 @@ struct PipelineArguments {
   std::string frames = {};  // A:B, numbers of the first and the last; empty: all
   int generated = 1;
   std::vector<float> alphas = {};
-  std::string motion_filter = "off";  // "on", or "auto": where a clip's motion is quantised
-  std::string history = {};           // rgba8, rgba16f, rgba32f; empty: the runtime's default
+  std::string motion_filter = "auto";  // where a clip's motion is quantised; "on" or "off"
+  std::string history = {};            // rgba8, rgba16f, rgba32f; empty: the runtime's default
   bool texels = false;
   int threads = 0;
 };

@@ -28,7 +28,7 @@ void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments) {
       ->excludes(generated);
   command
       .add_option("--motion-filter", a.motion_filter,
-                  "on: take quantisation out of the motion vectors; auto: where they are quantised")
+                  "Take quantisation out of the motion vectors; auto: where they are quantised")
       ->check(CLI::IsMember({"on", "off", "auto"}))
       ->capture_default_str();
   command.add_option("--history", a.history, "Format of the history (default: rgba16f)")

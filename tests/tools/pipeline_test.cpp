@@ -67,9 +67,11 @@ TEST(Pipeline, PutsTheArgumentsIntoOptions) {
   EXPECT_TRUE(isr.super_resolution.motion_filter);
   EXPECT_TRUE(pipeline.Options(MethodOf("i"), 1).generation.motion_filter);
   EXPECT_FALSE(isr.filter_quantised_motion);
-  const Pipeline automatic({.filter = "bilinear", .motion_filter = "auto"});
+  const Pipeline automatic({.filter = "bilinear"});
   EXPECT_TRUE(automatic.Options(MethodOf("sr"), 1).filter_quantised_motion);
   EXPECT_FALSE(automatic.Options(MethodOf("sr"), 1).super_resolution.motion_filter);
+  const Pipeline raw({.filter = "bilinear", .motion_filter = "off"});
+  EXPECT_FALSE(raw.Options(MethodOf("sr"), 1).filter_quantised_motion);
   EXPECT_FALSE(pipeline.ScaleWarning(TenFrames())) << "a kernel fits any scale";
 }
 
