@@ -66,13 +66,15 @@ struct ReportInputs {
   std::function<void(double share, const std::string& note)> progress = [](double, const auto&) {};
 };
 
-// How a method is run in the report: its defaults, with the table of the pipeline. `inputs` outlives the options.
+// How a method is run in the report: its defaults, with the table of the pipeline, and with the motion filter where motion is
+// quantised. `inputs` outlives the options.
 inline ModeRunOptions ReportRunOptions(const ReportInputs& inputs, const MethodInfo& method) {
   ModeRunOptions options;
   options.method = &method;
   options.every = method.generation == Generation::kNone ? 1 : kReportEvery;
   options.super_resolution.warp = inputs.pipeline_lut.Warp();
   options.generation.warp = inputs.pipeline_lut.Warp();
+  options.filter_quantised_motion = true;
   return options;
 }
 
