@@ -32,11 +32,10 @@ judge() {
 rows() {
   judge "$1" street+plaza harbour,gallery,colonnade --sequence "$out"/scenes/*/
   if [ -z "$data" ]; then return; fi
-  set -- "$1" --sequence
-  judge "$1" stk-lighthouse stk-scotland "$2" "$3" "$4" "$data/stk-lighthouse" "$data/stk-scotland"
-  judge "$1" stk-scotland stk-lighthouse "$2" "$3" "$4" "$data/stk-lighthouse" "$data/stk-scotland"
-  judge "$1" mobfgsr-sample stk-lighthouse,stk-scotland "$2" "$3" "$4" "$data"/*/
-  judge "$1" stk-lighthouse+stk-scotland mobfgsr-sample "$2" "$3" "$4" "$data"/*/
+  judge "$1" stk-lighthouse stk-scotland --sequence "$data/stk-lighthouse" "$data/stk-scotland"
+  judge "$1" stk-scotland stk-lighthouse --sequence "$data/stk-lighthouse" "$data/stk-scotland"
+  judge "$1" mobfgsr-sample stk-lighthouse,stk-scotland --sequence "$data"/*/
+  judge "$1" stk-lighthouse+stk-scotland mobfgsr-sample --sequence "$data"/*/
 }
 
 for scene in street plaza harbour gallery colonnade; do
