@@ -147,11 +147,12 @@ Clip Pipeline::Load(const Sequence& sequence, const FrameRange& range,
     which = which | NeededStreams(*method, AvailableStreams(sequence));
   }
   if (arguments_.texels) which = Streams::kOutputGrid;
-  const MotionFiltering filtering = FilteringOf(arguments_);
+  const MotionFiltering filtering =
+      methods.empty() ? MotionFiltering::kOff : FilteringOf(arguments_);
   Clip clip = LoadClip(sequence, range.first, range.count, which, every,
                        raw_motion ? MotionFiltering::kOff : filtering);
-  // Asked of the motion that the passes see: what was filtered before it was composed is not quantised any more.
-  if (filtering == MotionFiltering::kQuantised && !methods.empty()) {
+  // The passes are told of raw motion all the same.
+  if (raw_motion && filtering == MotionFiltering::kQuantised) {
     clip.quantised_motion = HasQuantisedMotion(clip);
   }
   if (arguments_.texels) TakeTexels(clip);

@@ -218,6 +218,7 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
       out.reference_depth = ToBuffer(frame.reference_depth, PixelFormat::kR32F);
     }
   });
+  if (filtering == MotionFiltering::kQuantised) clip.quantised_motion = HasQuantisedMotion(clip);
   return clip;
 }
 

@@ -30,7 +30,7 @@ struct Clip {
   std::string name;
   GridSize render, output;
   ColorEncoding encoding = ColorEncoding::kDisplay;
-  bool quantised_motion = false;  // what HasQuantisedMotion said, if it was asked
+  bool quantised_motion = false;  // what HasQuantisedMotion says, where it is asked
   std::vector<ClipFrame> frames;
 };
 
@@ -41,8 +41,8 @@ enum class MotionFiltering { kOff, kQuantised, kOn };
 // Loads the streams `which` of frames [first, first + count) by index. The motion of every frame is that from the frame `every`
 // before it in the sequence: composed along the frames between, so that a clip can be taken from every `every`-th frame; frames
 // that cannot be composed, as a cut lies between, are cuts. Motion that is composed is filtered before, as `filtering` says
-// (kQuantised: where that of some frame is quantised); motion of one frame, every = 1, is left to the passes. Errors as
-// LoadFrame.
+// (kQuantised: where that of some frame is quantised); motion of one frame, every = 1, is left to the passes, which are told
+// by quantised_motion: kQuantised asks for it of the motion that they see. Errors as LoadFrame.
 Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1,
               MotionFiltering filtering = MotionFiltering::kOff);
 

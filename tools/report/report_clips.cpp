@@ -30,20 +30,13 @@ std::vector<std::string> Names(const ReportScenes& scenes) {
   return {scenes.scenes.begin(), scenes.scenes.end()};
 }
 
-// The first frames, with the motion filter where motion is quantised.
-Clip LoadFirst(const Sequence& sequence, int frames, Streams which, int every = 1) {
-  Clip clip = LoadClip(sequence, 0, frames, which, every, MotionFiltering::kQuantised);
-  clip.quantised_motion = HasQuantisedMotion(clip);
-  return clip;
-}
-
 ReportClip LoadSequenceClip(const Sequence& sequence, int frames) {
   ReportClip clip;
   clip.name = sequence.name;
   clip.sequence = sequence;
   const Streams which = AvailableStreams(sequence);
-  clip.dense = LoadFirst(sequence, frames, which);
-  clip.sparse = LoadFirst(sequence, frames, which, kReportEvery);
+  clip.dense = LoadClip(sequence, 0, frames, which, 1, MotionFiltering::kQuantised);
+  clip.sparse = LoadClip(sequence, 0, frames, which, kReportEvery, MotionFiltering::kQuantised);
   return clip;
 }
 
@@ -127,7 +120,7 @@ void AddSequence(const std::filesystem::path& path, bool quick, std::vector<Repo
 
 Clip ReloadClip(const ReportClip& clip, Streams which, int most_frames) {
   const int frames = std::min(static_cast<int>(clip.dense.frames.size()), most_frames);
-  Clip loaded = LoadFirst(clip.sequence, frames, which);
+  Clip loaded = LoadClip(clip.sequence, 0, frames, which, 1, MotionFiltering::kQuantised);
   const GridSize wanted = clip.dense.output;
   if (loaded.output == wanted) return loaded;
   return CropClip(std::move(loaded), wanted.width * wanted.height);
