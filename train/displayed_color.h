@@ -4,12 +4,10 @@
 #include <algorithm>
 
 #include "datasets/srgb_curve.h"
+#include "datasets/tone_map.h"
 #include "runtime/color_encoding.h"
 
 namespace warplut {
-
-// The factor that tone-maps (r, g, b) >= 0 by its largest channel. Source: Karis, "Tone mapping", 2013.
-inline float ToneMapFactor(float largest) { return 1 / (1 + largest); }
 
 // (r, g, b) to display values, in place. kDisplay: as it is. kLinearHdr: negative channels as 0, tone-mapped by
 // 1 / (1 + largest channel), then the sRGB curve; so 1 is shown as 0.735, and no exposure is chosen for the content.

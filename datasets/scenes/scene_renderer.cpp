@@ -13,6 +13,7 @@
 #include "datasets/scenes/builtin.h"
 #include "datasets/scenes/hash.h"
 #include "datasets/scenes/integrator.h"
+#include "datasets/tone_map.h"
 
 namespace warplut {
 namespace {
@@ -95,7 +96,7 @@ void RenderRow(const Integrator& integrator, const RenderOptions& options, int y
       const Vec2d at = SamplePosition(x, y, static_cast<std::uint32_t>(i), pixel);
       const scenes::Rgb sample =
           Colour(integrator, options, integrator.Follow({at.x() / width, at.y() / height}));
-      const float weight = options.linear ? 1 / (1 + sample.maxCoeff()) : 1.0f;
+      const float weight = options.linear ? ToneMapFactor(sample.maxCoeff()) : 1.0f;
       sum += weight * sample;
       weights += weight;
     }

@@ -48,7 +48,7 @@ inline constexpr double kPixelFilterSigma = 0.60;
 //
 // reference   mean of `samples` samples that are distributed as the pixel filter, each tone-mapped to display values
 //             before the mean, as a resolved, temporally antialiased frame is. Linear: mean with the weights
-//             1 / (1 + largest channel), which is that of samples tone-mapped so, brought back (Karis, "Tone mapping", 2013).
+//             ToneMapFactor (datasets/tone_map.h), which is that of samples tone-mapped so, brought back.
 // color       one sample per pixel, at (i + 0.5 + x, j + 0.5 + y) of the render grid with (x, y) the jitter. Textures
 //             are as detailed as on the output grid (mip bias).
 // depth       view depth over the far plane; of the mirror's surface where a mirror is seen; sky 1. Of the same sample

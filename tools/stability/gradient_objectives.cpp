@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "datasets/tone_map.h"
 #include "luts/head.h"
 #include "tools/stability/gradient_reference.h"
 #include "tools/stability/training_images.h"
 #include "tools/stability/training_problem.h"
-#include "train/displayed_color.h"
 #include "train/keys_search.h"
 #include "train/noise_image.h"
 #include "train/sr_objective.h"

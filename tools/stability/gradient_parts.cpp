@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
+#include "datasets/tone_map.h"
 #include "tools/stability/gradient_reference.h"
 #include "tools/stability/training_images.h"
 #include "train/calibration/gate_model.h"
 #include "train/calibration/soft_fit.h"
-#include "train/displayed_color.h"
 #include "train/gain_penalty.h"
 #include "train/keys_search.h"
 #include "train/mlp_objective.h"

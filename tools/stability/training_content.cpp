@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "datasets/error.h"
+#include "datasets/tone_map.h"
 #include "tools/stability/training_images.h"
 #include "tools/stability/training_problem.h"
 #include "train/crops.h"
-#include "train/displayed_color.h"
 #include "train/noise_image.h"
 #include "train/trainer.h"
 

@@ -196,13 +196,14 @@ class Calibration {
 
   // What the loss does not hang on gets the value of the base, unless that is worse than a start.
   void DropWhatIsNotNeeded() {
+    const double least_start = LeastStart();
     for (const CalibratedParameter& parameter : result_.parameters) {
       if (!parameter.NotNeeded()) continue;
       Parameters plain = result_.best.parameters;
       const auto member = kParameters[parameter.parameter].member;
       plain.*member = options_.base.*member;
       const std::optional<double> loss = log_.Loss(plain);
-      const double limit = std::min(result_.best.loss + kFlatProfile, LeastStart());
+      const double limit = std::min(result_.best.loss + kFlatProfile, least_start);
       if (loss && *loss <= limit) Replace({plain, *loss});
     }
   }
