@@ -10,7 +10,12 @@ using nlohmann::json;
 
 json ParseJson(const std::string& text, const std::string& file) {
   std::vector<std::set<std::string>> fields;  // of the objects that are open
-  const auto check = [&](int, json::parse_event_t event, json& parsed) {
+  const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth >= kMaxJsonDepth && (event == json::parse_event_t::object_start ||
+                                   event == json::parse_event_t::array_start)) {
+      throw Error(fmt::format("'{}' has objects or arrays nested more than {} deep; expected fewer",
+                              file, kMaxJsonDepth));
+    }
     if (event == json::parse_event_t::object_start) {
       fields.emplace_back();
     } else if (event == json::parse_event_t::object_end) {

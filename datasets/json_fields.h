@@ -11,7 +11,11 @@
 
 namespace warplut {
 
-// Parses `text`; an Error names `file` where it is not JSON or an object has a field twice.
+// Objects and arrays inside each other that a file may have: what walks a parsed value recurses.
+inline constexpr int kMaxJsonDepth = 64;
+
+// Parses `text`; an Error names `file` where it is not JSON, is nested deeper than kMaxJsonDepth, or an object has a
+// field twice.
 nlohmann::json ParseJson(const std::string& text, const std::string& file);
 
 // Where in a file a value is: "'FILE': field 'a.b'".
