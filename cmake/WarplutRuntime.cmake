@@ -12,6 +12,7 @@ function(warplut_runtime_library name)
     blend_reference.cpp
     color_repair.cpp
     frame_check.cpp
+    frame_coefficients.cpp
     frame_generation.cpp
     hdr_rows.cpp
     row_kernels.cpp
@@ -35,6 +36,8 @@ function(warplut_runtime_library name)
     motion_filter.cpp
     motion_tiles.cpp
     parameters.cpp
+    prefilter.cpp
+    prefilter_kernels.cpp
     table.cpp
     warp.cpp
     warp_kernels.cpp

@@ -10,6 +10,7 @@
 #include "luts/baked_header.h"
 #include "luts/exr.h"
 #include "luts/json_header.h"
+#include "luts/prefilter_json.h"
 #include "luts/quantize.h"
 #include "luts/released_layout.h"
 
@@ -42,12 +43,13 @@ nlohmann::ordered_json Provenance(const Fit& fit) {
 std::string BakedJson(const Fit& fit, const TableView& table, const Certificate& certificate) {
   nlohmann::ordered_json json;
   json["format"] = kTableFormat;
-  json["version"] = kTableVersion;
+  json["version"] = HasPrefilter(table.prefilter) ? kTableVersion : 1;
   json["name"] = fit.name;
   json["scale"] = fit.scale;
   json["nodes"] = kNodes;
   json["storage"] = Name(table.format);
   json["fraction_bits"] = FractionBits(table.format);
+  if (HasPrefilter(table.prefilter)) json["prefilter"] = ToJson(table.prefilter);
   json["provenance"] = Provenance(fit);
   json["certificate"] = ToJson(certificate);
   std::string text = json.dump(1);
@@ -76,13 +78,14 @@ BakedFiles Bake(const Fit& fit, const BakeOptions& options) {
   const BakedTable table = Quantize(SampleFit(fit, kNodes), options.format);
   const Certificate certificate = Certify(fit, options.format, options.blend);
   return {fit.name, BakedHeader(fit, table.view(), certificate),
-          BakedJson(fit, table.view(), certificate), EncodeExr(ToReleasedLayout(fit))};
+          BakedJson(fit, table.view(), certificate),
+          HasPrefilter(fit.prefilter) ? std::string() : EncodeExr(ToReleasedLayout(fit))};
 }
 
 void WriteBaked(const std::filesystem::path& folder, const BakedFiles& files) {
   WriteFile(folder / (files.name + ".h"), files.header);
   WriteFile(folder / (files.name + ".json"), files.json);
-  WriteFile(folder / (files.name + ".exr"), files.exr);
+  if (!files.exr.empty()) WriteFile(folder / (files.name + ".exr"), files.exr);
 }
 
 }  // namespace warplut

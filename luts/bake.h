@@ -21,14 +21,14 @@ struct BakedFiles {
   std::string name;
   std::string header;  // C++20; includes luts/contract.h only
   std::string json;    // "warplut-table"; docs/FORMATS.md
-  std::string exr;     // the released layout (released_layout.h)
+  std::string exr;  // the released layout (released_layout.h); empty where the fit has a prefilter
 };
 
 // A pure function: the same fit and options give the same bytes. An Error names the field of the
 // fit or option that is not valid, or the node and weight that the format cannot hold.
 BakedFiles Bake(const Fit& fit, const BakeOptions& options = {});
 
-// Writes the three files into an existing folder, each atomically.
+// Writes the files into an existing folder, each atomically; no EXR where it is empty.
 void WriteBaked(const std::filesystem::path& folder, const BakedFiles& files);
 
 // The name of the TableView in the header, in namespace warplut::baked: k, then the fit's name in

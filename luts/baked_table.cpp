@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "datasets/error.h"
+#include "luts/filters.h"
 #include "luts/real_table.h"
 #include "runtime/half.h"
 
@@ -57,6 +58,22 @@ std::int32_t IntegerAt(const TableView& view, const std::string& name, int index
   return 0;
 }
 
+// Row (0, 0) of a table with prefilter. The middle weight is the one that closes the sum for the eight others.
+void CheckWholeOffset(const IntegerRow& row, const TableView& view, const std::string& name) {
+  const double side = static_cast<double>(view.prefilter.side);
+  const std::array<double, kTaps> taps = {side, 1 - 2 * side, side, 0};
+  const Weights<double> expected = Separable(taps, taps);
+  const Weights<double> found = RealRow(row, view.format);
+  for (int k = 0; k < kWeights; ++k) {
+    const double bound = (k == kIdentityWeight ? 2 : 1) * WholeOffsetTolerance(view.format);
+    if (std::abs(found[k] - expected[k]) <= bound) continue;
+    throw Error(fmt::format(
+        "{} is {}, expected {:.6f} of a prefilter with side {}: table and prefilter do not belong "
+        "together",
+        Place(name, k), found[k], expected[k], view.prefilter.side));
+  }
+}
+
 }  // namespace
 
 bool CanStore(TableFormat format, std::int32_t integer) {
@@ -65,7 +82,9 @@ bool CanStore(TableFormat format, std::int32_t integer) {
   return format != TableFormat::kF16 || std::abs(integer) <= one || integer % 2 == 0;
 }
 
-BakedTable::BakedTable(TableFormat format, const std::vector<IntegerRow>& rows) {
+BakedTable::BakedTable(TableFormat format, const std::vector<IntegerRow>& rows,
+                       const Prefilter& prefilter)
+    : prefilter_(prefilter) {
   const float unit = Unit(format);
   switch (format) {
     case TableFormat::kI16:
@@ -86,7 +105,8 @@ BakedTable::BakedTable(TableFormat format, const std::vector<IntegerRow>& rows) 
 
 TableView BakedTable::view() const {
   return {format(),
-          std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, storage_)};
+          std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, storage_),
+          prefilter_};
 }
 
 std::vector<IntegerRow> TableIntegers(const TableView& view, const std::string& name) {
@@ -104,6 +124,9 @@ Weights<double> RealRow(const IntegerRow& row, TableFormat format) {
 }
 
 void CheckTable(const TableView& view, const std::string& name) {
+  const char* why = nullptr;
+  if (!IsValid(view.prefilter, &why)) throw Error(fmt::format("{}: the prefilter {}", name, why));
+  const bool prefiltered = HasPrefilter(view.prefilter);
   const std::int32_t one = 1 << FractionBits(view.format);
   const std::vector<IntegerRow> rows = TableIntegers(view, name);
   for (int jy = 0; jy < kNodes; ++jy) {
@@ -115,15 +138,25 @@ void CheckTable(const TableView& view, const std::string& name) {
                                 name, ix, jy, sum, one, one, one));
       }
       for (int k = 0; k < kWeights; ++k) {
-        if (rows[r][k] != 0 && IsContractZero(kNodes, ix, jy, k)) {
+        if (rows[r][k] != 0 && IsContractZero(prefiltered, kNodes, ix, jy, k)) {
           throw Error(fmt::format(
               "{} is {} / {}, expected 0: a node with dx = 0 (dy = 0) has weights only in the "
-              "column (row) of tap 0",
-              Place(name, r * kWeights + k), rows[r][k], one));
+              "column (row) of tap 0{}",
+              Place(name, r * kWeights + k), rows[r][k], one,
+              prefiltered ? " and those beside it" : ""));
+        }
+        const int mirror = WeightIndex(MirroredTap(prefiltered, kNodes, ix, k % kTaps),
+                                       MirroredTap(prefiltered, kNodes, jy, k / kTaps));
+        if (rows[r][k] != rows[r][mirror]) {
+          throw Error(fmt::format(
+              "{} is {} / {}, expected {} as in weight {}: a node with dx = 0 (dy = 0) has equal "
+              "weights on both sides of tap 0",
+              Place(name, r * kWeights + k), rows[r][k], one, rows[r][mirror], mirror));
         }
       }
     }
   }
+  if (prefiltered) CheckWholeOffset(rows[0], view, name);
 }
 
 }  // namespace warplut

@@ -17,7 +17,8 @@ using IntegerRow = Weights<std::int32_t>;
 class BakedTable {
  public:
   // Stores `rows` (kRows of them, each integer one that `format` can hold).
-  BakedTable(TableFormat format, const std::vector<IntegerRow>& rows);
+  BakedTable(TableFormat format, const std::vector<IntegerRow>& rows,
+             const Prefilter& prefilter = {});
 
   TableFormat format() const { return static_cast<TableFormat>(storage_.index()); }
   TableView view() const;
@@ -26,6 +27,7 @@ class BakedTable {
   std::variant<std::vector<std::int16_t>, std::vector<std::uint16_t>, std::vector<std::int8_t>,
                std::vector<float>>
       storage_;
+  Prefilter prefilter_;
 };
 
 // Whether `format` can store the integer.
@@ -38,8 +40,8 @@ std::vector<IntegerRow> TableIntegers(const TableView& view, const std::string& 
 // The weights of an integer row.
 Weights<double> RealRow(const IntegerRow& row, TableFormat format);
 
-// Checks the contract: every row sums to exactly 1, row (0, 0) is the identity, and the zeros of nodes with
-// dx = 0 or dy = 0. An Error names `name`, the node, what was found (the sum, or the weight) and what was expected.
+// Checks the contract: a valid prefilter, every row sums to exactly 1, row (0, 0) belongs to the prefilter (without one
+// it is the identity), and the zeros and equal weights of nodes with dx = 0 or dy = 0. An Error names `name`, the node, what was found (the sum, or the weight) and what was expected.
 void CheckTable(const TableView& view, const std::string& name);
 
 }  // namespace warplut

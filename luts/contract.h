@@ -8,15 +8,22 @@
 //   nodes    offset i / 32 for i = 0..31 in each axis. Node 32 is node 0 of the next texel, so that
 //            0 and 1/2 are nodes.
 //   rows     ((jy * 32) + ix) * 16 + k: dy slowest, dx next, weight fastest.
-// Every row sums to exactly 1 in its own fixed point; row (0, 0) is exactly the identity; a node with
-// dx = 0 has weights only in column kx = 1 and one with dy = 0 only in row ky = 1, so that the weights
-// are continuous from each cell to the next.
+// Every row sums to exactly 1 in its own fixed point. Without prefilter row (0, 0) is exactly the
+// identity; a node with dx = 0 has weights only in column kx = 1 and one with dy = 0 only in row
+// ky = 1, so that the weights are continuous from each cell to the next.
+//
+// A table may have a prefilter (luts/prefilter.h): it then weighs coefficients in place of samples.
+// Row (0, 0) holds the products of (s, 1 - 2 s, s, 0), s the prefilter's side, within
+// WholeOffsetTolerance; a node with dx = 0 has no weight in column kx = 3 and equal ones in the
+// columns 0 and 2, one with dy = 0 none in row ky = 3 and equal ones in the rows 0 and 2.
 // Source: Mob-FGSR (SIGGRAPH 2024), section 4 "Learning LUT"; the node positions are ours.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+
+#include "luts/prefilter.h"
 
 namespace warplut {
 
@@ -80,11 +87,18 @@ constexpr std::size_t BytesPerWeight(TableFormat format) {
   return format == TableFormat::kF32 ? 4 : format == TableFormat::kI8 ? 1 : 2;
 }
 
+// How far a weight of row (0, 0) of a table with prefilter may be from the product of the side:
+// two units of the format, one for rounding and one for closing the sum.
+constexpr double WholeOffsetTolerance(TableFormat format) {
+  return 2.0 / (1 << FractionBits(format));
+}
+
 // A baked table: kTableValues weights in `format`. `data` is int16_t, uint16_t (bits of a half), int8_t
 // or float, and stays owned by whoever made it (a baked header has static storage).
 struct TableView {
   TableFormat format = TableFormat::kI16;
   const void* data = nullptr;
+  Prefilter prefilter = {};  // of the image, before the table reads it
 };
 
 }  // namespace warplut

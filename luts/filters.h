@@ -25,6 +25,38 @@ constexpr std::array<T, kTaps> KeysTaps(T a, T d) {
   return {outer0, inner1, T(1) - inner1 - outer0 - outer3, outer3};
 }
 
+// The cubic spline family: kernel beta3 + k beta3'', beta3 the cubic B-spline, for coefficients
+// that a prefilter of side SplineSide(k) made (luts/prefilter.h). k = 0 is the B-spline, k = 1/42
+// the cubic o-MOMS. Source: Blu, Thevenaz, Unser, "MOMS: maximal-order interpolation of minimal
+// support", IEEE TIP 2001.
+inline constexpr double kOMomsK = 1.0 / 42;
+template <class T>
+constexpr T SplineSide(T k) {
+  return T(1.0 / 6) + k;
+}
+template <class T>
+constexpr T SplineK(T side) {
+  return side - T(1.0 / 6);
+}
+
+// beta3'' at the taps of fraction d: the change of SplineTaps with k. They sum to 0.
+template <class T>
+constexpr std::array<T, kTaps> SplineBend(T d) {
+  return {T(1) - d, T(3) * d - T(2), T(1) - T(3) * d, d};
+}
+
+// The four weights for the fraction d in [0, 1]. They sum to 1; d = 0 gives (s, 1 - 2 s, s, 0).
+template <class T>
+constexpr std::array<T, kTaps> SplineTaps(T k, T d) {
+  const T e = T(1) - d;
+  const T sixth = T(1.0 / 6);
+  const std::array<T, kTaps> bend = SplineBend(d);
+  const T outer0 = sixth * e * e * e + k * bend[0];
+  const T outer3 = sixth * d * d * d + k * bend[3];
+  const T inner1 = T(2.0 / 3) - d * d * (T(1) - T(0.5) * d) + k * bend[1];
+  return {outer0, inner1, T(1) - inner1 - outer0 - outer3, outer3};
+}
+
 // The two-tap linear weights, as four taps.
 template <class T>
 constexpr std::array<T, kTaps> BilinearTaps(T d) {
@@ -42,6 +74,11 @@ constexpr Weights<T> Separable(const std::array<T, kTaps>& x, const std::array<T
 template <class T>
 constexpr Weights<T> KeysWeights(T a, T dx, T dy) {
   return Separable(KeysTaps(a, dx), KeysTaps(a, dy));
+}
+
+template <class T>
+constexpr Weights<T> SplineWeights(T k, T dx, T dy) {
+  return Separable(SplineTaps(k, dx), SplineTaps(k, dy));
 }
 
 template <class T>

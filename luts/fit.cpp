@@ -12,6 +12,7 @@
 #include "datasets/file.h"
 #include "datasets/json_fields.h"
 #include "luts/json_header.h"
+#include "luts/prefilter_json.h"
 
 namespace warplut {
 namespace {
@@ -28,7 +29,12 @@ bool IsLine(const std::string& text) {
 }
 
 bool IsJsonObjectLine(const std::string& text) {
-  return IsLine(text) && nlohmann::json::parse(text, nullptr, false).is_object();
+  if (!IsLine(text)) return false;
+  try {
+    return ParseJson(text, "options").is_object();
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 bool IsSha1(const std::string& text) {
@@ -67,6 +73,9 @@ std::string HeadFault(const Fit& fit) {
   if (!std::isfinite(fit.keys_a)) {
     return fmt::format("keys_a is {}, expected a finite number", fit.keys_a);
   }
+  if (!std::isfinite(fit.spline_k)) {
+    return fmt::format("spline_k is {}, expected a finite number", fit.spline_k);
+  }
   if (!IsJsonObjectLine(fit.options)) {
     return fmt::format("options is '{}', expected one line with a JSON object", fit.options);
   }
@@ -74,6 +83,8 @@ std::string HeadFault(const Fit& fit) {
     return fmt::format("parameters has {} values, expected {}", fit.parameters.size(),
                        kMlpParameters);
   }
+  const char* why = nullptr;
+  if (!IsValid(fit.prefilter, &why)) return fmt::format("prefilter {}", why);
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
     if (!std::isfinite(fit.parameters[i])) {
       return fmt::format("parameters[{}] is {}, expected a finite number", i, fit.parameters[i]);
@@ -110,9 +121,10 @@ std::string RecordFault(const Fit& fit) {
   }
   for (std::size_t i = 0; i < fit.validation.size(); ++i) {
     const FitScore& score = fit.validation[i];
-    if (!OneOf(score.filter, {"lut", "keys", "catmull-rom"})) {
-      return fmt::format("validation[{}].filter is \"{}\", expected lut, keys or catmull-rom", i,
-                         score.filter);
+    if (!OneOf(score.filter, {"lut", "keys", "catmull-rom", "spline", "spline-1/84"})) {
+      return fmt::format(
+          "validation[{}].filter is \"{}\", expected lut, keys, catmull-rom, spline or spline-1/84",
+          i, score.filter);
     }
     if (!OneOf(score.offsets, {"half", "random", "pan"})) {
       return fmt::format("validation[{}].offsets is \"{}\", expected half, random or pan", i,
@@ -132,7 +144,7 @@ std::string RecordFault(const Fit& fit) {
 nlohmann::ordered_json ToJson(const Fit& fit) {
   nlohmann::ordered_json json;
   json["format"] = kFitFormat;
-  json["version"] = Fit::kVersion;
+  json["version"] = HasPrefilter(fit.prefilter) ? Fit::kVersion : 1;
   json["name"] = fit.name;
   json["scale"] = fit.scale;
   json["objective"] = fit.objective;
@@ -140,6 +152,7 @@ nlohmann::ordered_json ToJson(const Fit& fit) {
   json["horizons"] = fit.horizons;
   json["gain_bound"] = fit.gain_bound;
   json["keys_a"] = fit.keys_a;
+  if (HasPrefilter(fit.prefilter)) json["spline_k"] = fit.spline_k;
   json["seed"] = fit.seed;
   json["options"] = fit.options;
   nlohmann::ordered_json& data = json["data"] = nlohmann::ordered_json::array();
@@ -158,6 +171,7 @@ nlohmann::ordered_json ToJson(const Fit& fit) {
     validation.push_back(
         {{"filter", s.filter}, {"warps", s.warps}, {"offsets", s.offsets}, {"ssim", s.ssim}});
   }
+  if (HasPrefilter(fit.prefilter)) json["prefilter"] = ToJson(fit.prefilter);
   json["parameters"] = fit.parameters;
   return json;
 }
@@ -200,8 +214,12 @@ FitScore ReadScore(JsonFields& item) {
 }
 
 Fit FromJson(JsonFields fields) {
-  CheckHeader(fields, kFitFormat, Fit::kVersion);
+  const int version = CheckHeader(fields, kFitFormat, 1, Fit::kVersion);
   Fit fit;
+  if (version > 1) {
+    fit.prefilter = ReadPrefilter(fields.Object("prefilter"));
+    fit.spline_k = fields.Number("spline_k");
+  }
   fit.name = fields.Text("name");
   fit.scale = fields.Number("scale");
   fit.objective = fields.Text("objective");

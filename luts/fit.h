@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "luts/mlp.h"
+#include "luts/prefilter.h"
 
 namespace warplut {
 
@@ -29,7 +30,7 @@ struct FitLoss {
 
 // A validation score: mean SSIM after `warps` warps.
 struct FitScore {
-  std::string filter;  // "lut", "keys", "catmull-rom"
+  std::string filter;  // "lut", "keys", "catmull-rom", "spline", "spline-1/84"
   int warps = 0;
   std::string offsets;  // "half", "random" or "pan"
   double ssim = 0;
@@ -42,7 +43,8 @@ bool IsIdentifier(std::string_view text);
 inline constexpr int kMaxRecordedWarps = 1024;
 
 struct Fit {
-  static constexpr int kVersion = 1;
+  // A fit without prefilter is written as version 1, one with a prefilter as version 2.
+  static constexpr int kVersion = 2;
 
   std::string name;                // IsIdentifier
   double scale = 2;                // output / render, >= 1
@@ -51,9 +53,11 @@ struct Fit {
   std::vector<int> horizons;       // numbers of warps, ascending, each in [1, kMaxRecordedWarps]
   double gain_bound = 0;           // largest |H| asked for, of any node and frequency
   double keys_a = 0;               // the best Keys kernel on the same data and loss
+  double spline_k = 0;             // with a prefilter: the best spline within the bound, likewise
   std::uint64_t seed = 0;
   std::string options;             // the training's options: a JSON object on one line
   std::vector<double> parameters;  // kMlpParameters finite values
+  Prefilter prefilter = {};
   std::vector<FitData> data;
   std::vector<FitLoss> loss;
   std::vector<FitScore> validation;
@@ -61,8 +65,8 @@ struct Fit {
   bool IsValid(std::string* why) const;
 };
 
-// Reads and checks a fit. An Error names the file, the field, what was found and what was expected; a fit of another
-// version is refused.
+// Reads and checks a fit. An Error names the file, the field, what was found and what was expected; a fit of a
+// later version is refused.
 Fit ReadFit(const std::filesystem::path& path);
 
 // Writes atomically; the same fit gives the same bytes. An Error if it is not valid.

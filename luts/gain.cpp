@@ -51,18 +51,28 @@ double SquaredSum(const std::array<Complex, kTaps>& sums, const std::array<Compl
   return re * re + im * im;
 }
 
-double SquaredGainAt(const Weights<double>& w, double fx, double fy) {
-  return SquaredSum(RowSums(w, Phasors(std::polar(1.0, -fx))), Phasors(std::polar(1.0, -fy)));
+double SquaredGainAt(const Weights<double>& w, const Prefilter& prefilter, double fx, double fy) {
+  const double squared =
+      SquaredSum(RowSums(w, Phasors(std::polar(1.0, -fx))), Phasors(std::polar(1.0, -fy)));
+  if (!HasPrefilter(prefilter)) return squared;
+  const double response = PrefilterResponse(prefilter, fx) * PrefilterResponse(prefilter, fy);
+  return squared * response * response;
 }
 
 // |H|^2 at the grid frequencies (a, b), a = 0..kHalf, b = 0..kGrid - 1.
 class FrequencyGrid {
  public:
-  explicit FrequencyGrid(const Weights<double>& w) : values_((kHalf + 1) * kGrid) {
+  FrequencyGrid(const Weights<double>& w, const Prefilter& prefilter)
+      : values_((kHalf + 1) * kGrid) {
+    std::array<double, kGrid> squared;  // response
+    for (int a = 0; a < kGrid; ++a) {
+      const double response = PrefilterResponse(prefilter, a * kGridStep);
+      squared[a] = response * response;
+    }
     for (int a = 0; a <= kHalf; ++a) {
       const std::array<Complex, kTaps> sums = RowSums(w, GridPhasors()[a]);
       for (int b = 0; b < kGrid; ++b) {
-        values_[a * kGrid + b] = SquaredSum(sums, GridPhasors()[b]);
+        values_[a * kGrid + b] = SquaredSum(sums, GridPhasors()[b]) * squared[a] * squared[b];
         best_ = std::max(best_, values_[a * kGrid + b]);
       }
     }
@@ -94,7 +104,7 @@ class FrequencyGrid {
 };
 
 // Walks uphill among the 8 neighbours at a distance that is halved where none is higher; `gain` holds |H|^2.
-Gain Climb(const Weights<double>& w, Gain from) {
+Gain Climb(const Weights<double>& w, const Prefilter& prefilter, Gain from) {
   for (double step = kGridStep / 2; step > kSearchEnd;) {
     Gain best = from;
     for (int dy = -1; dy <= 1; ++dy) {
@@ -102,7 +112,7 @@ Gain Climb(const Weights<double>& w, Gain from) {
         if (dx == 0 && dy == 0) continue;
         const double fx = from.fx + dx * step;
         const double fy = from.fy + dy * step;
-        const double value = SquaredGainAt(w, fx, fy);
+        const double value = SquaredGainAt(w, prefilter, fx, fy);
         if (value > best.gain * (1 + kLeastImprovement)) best = {value, fx, fy};
       }
     }
@@ -130,18 +140,19 @@ Gain Normalized(Gain g) {
 
 }  // namespace
 
-double GainAt(const Weights<double>& w, double fx, double fy) {
-  return std::sqrt(SquaredGainAt(w, fx, fy));
+double GainAt(const Weights<double>& w, double fx, double fy, const Prefilter& prefilter) {
+  return std::sqrt(SquaredGainAt(w, prefilter, fx, fy));
 }
 
-Gain MaxGain(const Weights<double>& w) {
-  const FrequencyGrid grid(w);
+Gain MaxGain(const Weights<double>& w, const Prefilter& prefilter) {
+  const FrequencyGrid grid(w, prefilter);
+  const double loss = HasPrefilter(prefilter) ? kPrefilteredGridLoss : kGridLoss;
   Gain best;
   for (int a = 0; a <= kHalf; ++a) {
     for (int b = 0; b < kGrid; ++b) {
       const double value = grid.At(a, b);
-      if (value < (1 - kGridLoss) * grid.best() || !grid.IsLocalMaximum(a, b)) continue;
-      const Gain top = Climb(w, {value, a * kGridStep, b * kGridStep});
+      if (value < (1 - loss) * grid.best() || !grid.IsLocalMaximum(a, b)) continue;
+      const Gain top = Climb(w, prefilter, {value, a * kGridStep, b * kGridStep});
       if (top.gain > best.gain * (1 + kLeastImprovement)) best = top;
     }
   }
@@ -152,7 +163,7 @@ Gain MaxGain(const Weights<double>& w) {
 GainMap MapGains(const TableView& table) {
   GainMap map;
   for (const IntegerRow& row : TableIntegers(table, "table")) {
-    map.nodes.push_back(MaxGain(RealRow(row, table.format)));
+    map.nodes.push_back(MaxGain(RealRow(row, table.format), table.prefilter));
     if (map.nodes.back().gain > map.nodes[map.worst].gain * (1 + kLeastImprovement)) {
       map.worst = static_cast<int>(map.nodes.size()) - 1;
     }

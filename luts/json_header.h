@@ -12,12 +12,16 @@ inline constexpr std::size_t kMaxJsonBytes = std::size_t{16} << 20;
 
 inline constexpr const char* kFitFormat = "warplut-fit";
 inline constexpr const char* kTableFormat = "warplut-table";
-inline constexpr int kTableVersion = 1;
+inline constexpr int kTableVersion = 2;  // version 1 has no prefilter
 
 // Parses a file of at most kMaxJsonBytes; an Error names it.
 nlohmann::json ReadJson(const std::filesystem::path& path);
 
-// Takes the fields "format" and "version"; an Error says what was found and what was expected.
-void CheckHeader(JsonFields& fields, const char* format, int version);
+// Takes the fields "format" and "version" and returns the version, in [oldest, newest]; an Error says what was found
+// and what was expected.
+int CheckHeader(JsonFields& fields, const char* format, int oldest, int newest);
+inline void CheckHeader(JsonFields& fields, const char* format, int version) {
+  CheckHeader(fields, format, version, version);
+}
 
 }  // namespace warplut

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "luts/head.h"
 #include "luts/quantize.h"
+#include "luts/real_table.h"
+#include "luts/symmetry.h"
 
 namespace warplut {
 namespace {
@@ -15,9 +16,8 @@ class ExactWeights {
   explicit ExactWeights(const Fit& fit) : rows_((kHalf + 1) * (kHalf + 1)) {
     for (int j = 0; j <= kHalf; ++j) {
       for (int i = j; i <= kHalf; ++i) {
-        rows_[j * (kHalf + 1) + i] =
-            HeadWeights(fit.parameters.data(), static_cast<double>(i) / kErrorOffsets,
-                        static_cast<double>(j) / kErrorOffsets);
+        rows_[j * (kHalf + 1) + i] = FitWeights(fit, static_cast<double>(i) / kErrorOffsets,
+                                                static_cast<double>(j) / kErrorOffsets);
       }
     }
   }

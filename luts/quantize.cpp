@@ -25,7 +25,8 @@ void CheckRow(const RealTable& table, TableFormat format, int ix, int jy) {
     if (!std::isfinite(w)) fail("a finite number");
     const double rounded = std::round(w * one);
     if (rounded < -2 * one || rounded > 2 * one - 1) fail("a weight in [-2, 2)");
-    if (IsContractZero(table.intervals, ix, jy, k) && std::abs(w) > kClosureTolerance) {
+    if (IsContractZero(HasPrefilter(table.prefilter), table.intervals, ix, jy, k) &&
+        std::abs(w) > kClosureTolerance) {
       fail("0, as this offset is on the border of its cell");
     }
     sum += w;
@@ -36,15 +37,23 @@ void CheckRow(const RealTable& table, TableFormat format, int ix, int jy) {
   }
 }
 
-// Groups of taps that the symmetries in `group` which leave the node in place exchange; contract zeros left out.
-std::vector<std::vector<int>> TapGroups(int intervals, int ix, int jy, int group) {
+// Groups of taps that must have equal weights: those that the symmetries in `group` which leave the node in place
+// exchange, and with a prefilter those that mirror each other about a whole offset. Contract zeros are left out.
+std::vector<std::vector<int>> TapGroups(const RealTable& table, int ix, int jy, int group) {
+  const int intervals = table.intervals;
+  const bool prefiltered = HasPrefilter(table.prefilter);
   std::vector<std::vector<int>> groups;
   for (int k = 0; k < kWeights; ++k) {
-    if (IsContractZero(intervals, ix, jy, k)) continue;
+    if (IsContractZero(prefiltered, intervals, ix, jy, k)) continue;
     std::vector<int> taps;
     for (int g = 0; g < group; ++g) {
-      if (MapOffset<int>(g, ix, jy, intervals) == std::array<int, 2>{ix, jy}) {
-        taps.push_back(MapWeight(g, k));
+      if (MapOffset<int>(g, ix, jy, intervals) != std::array<int, 2>{ix, jy}) continue;
+      const int image = MapWeight(g, k);
+      const int x = image % kTaps, y = image / kTaps;
+      const int mirrored_x = MirroredTap(prefiltered, intervals, ix, x);
+      const int mirrored_y = MirroredTap(prefiltered, intervals, jy, y);
+      for (const int kx : {x, mirrored_x}) {
+        for (const int ky : {y, mirrored_y}) taps.push_back(WeightIndex(kx, ky));
       }
     }
     std::sort(taps.begin(), taps.end());
@@ -57,7 +66,7 @@ std::vector<std::vector<int>> TapGroups(int intervals, int ix, int jy, int group
 IntegerRow RoundRow(const RealTable& table, TableFormat format, int ix, int jy, int group) {
   const std::int32_t one = 1 << FractionBits(format);
   const Weights<double>& row = table.Row(ix, jy);
-  const std::vector<std::vector<int>> groups = TapGroups(table.intervals, ix, jy, group);
+  const std::vector<std::vector<int>> groups = TapGroups(table, ix, jy, group);
   std::vector<RoundingTerm> terms;
   for (const std::vector<int>& taps : groups) {
     double mean = 0;
@@ -112,7 +121,7 @@ BakedTable Quantize(const RealTable& table, TableFormat format) {
   for (int jy = 0; jy < kNodes; ++jy) {
     for (int ix = 0; ix < kNodes; ++ix) rows[RowIndex(ix, jy)] = rounded[table.RowAt(ix, jy)];
   }
-  return {format, rows};
+  return {format, rows, table.prefilter};
 }
 
 }  // namespace warplut

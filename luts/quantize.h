@@ -17,7 +17,8 @@ inline constexpr double kClosureTolerance = 1e-9;
 // Rounds each row to integers q of `format` (weight = q / 2^b, b = FractionBits) such that
 //   - the row sums to exactly 2^b,
 //   - the sum of |q - 2^b w| over the row is least among integers that do,
-//   - weights that the contract wants to be 0 are 0, hence node (0, 0) is the identity.
+//   - weights that the contract wants to be 0 are 0, hence node (0, 0) without prefilter is the identity;
+//   - with a prefilter weights that mirror each other about a whole offset are equal.
 // In a symmetric table one node of each orbit of the 8 symmetries is rounded and copied to the
 // others; where a symmetry leaves a node in place, the taps that it exchanges are rounded together.
 // Their numbers per group (1 and 2 on the axes and the diagonal, 4 and 8 at (1/2, 1/2)) divide 2^b or

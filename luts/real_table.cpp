@@ -32,7 +32,7 @@ Stencil LagrangeStencil(double t, int intervals) {
 }  // namespace
 
 RealTable SampleWeights(const std::string& name, int intervals, const WeightFunction& weights) {
-  RealTable table{name, intervals, {}};
+  RealTable table{name, intervals, {}, {}};
   table.rows.reserve(static_cast<std::size_t>(intervals + 1) * (intervals + 1));
   for (int jy = 0; jy <= intervals; ++jy) {
     for (int ix = 0; ix <= intervals; ++ix) {
@@ -43,14 +43,21 @@ RealTable SampleWeights(const std::string& name, int intervals, const WeightFunc
   return table;
 }
 
+Weights<double> FitWeights(const Fit& fit, double dx, double dy) {
+  const double* parameters = fit.parameters.data();
+  if (!HasPrefilter(fit.prefilter)) return HeadWeights(parameters, dx, dy);
+  return HeadWeights(parameters, dx, dy, static_cast<double>(fit.prefilter.side));
+}
+
 RealTable SampleFit(const Fit& fit, int intervals) {
-  return SampleWeights(fit.name, intervals, [&fit](double dx, double dy) {
-    return HeadWeights(fit.parameters.data(), dx, dy);
-  });
+  RealTable table = SampleWeights(fit.name, intervals,
+                                  [&fit](double dx, double dy) { return FitWeights(fit, dx, dy); });
+  table.prefilter = fit.prefilter;
+  return table;
 }
 
 RealTable Resample(const RealTable& table, int intervals) {
-  return SampleWeights(table.name, intervals, [&table](double dx, double dy) {
+  RealTable resampled = SampleWeights(table.name, intervals, [&table](double dx, double dy) {
     const Stencil x = LagrangeStencil(dx * table.intervals, table.intervals);
     const Stencil y = LagrangeStencil(dy * table.intervals, table.intervals);
     Weights<double> w{};
@@ -63,6 +70,8 @@ RealTable Resample(const RealTable& table, int intervals) {
     CloseSum(&w, dx, dy);
     return w;
   });
+  resampled.prefilter = table.prefilter;
+  return resampled;
 }
 
 void CloseSum(Weights<double>* w, double dx, double dy) {
@@ -72,11 +81,19 @@ void CloseSum(Weights<double>* w, double dx, double dy) {
   for (int k = 0; k < kWeights; ++k) (*w)[k] += rest * spread[k];
 }
 
-bool IsContractZero(int intervals, int ix, int jy, int k) {
-  const auto zero = [intervals](int node, int tap) {
+bool IsContractZero(bool prefiltered, int intervals, int ix, int jy, int k) {
+  const auto zero = [=](int node, int tap) {
+    if (prefiltered) return (node == 0 && tap == 2) || (node == intervals && tap == -1);
     return (node == 0 && tap != 0) || (node == intervals && tap != 1);
   };
   return zero(ix, TapX(k)) || zero(jy, TapY(k));
+}
+
+int MirroredTap(bool prefiltered, int intervals, int i, int tap) {
+  if (!prefiltered) return tap;
+  if (i == 0 && tap <= 2) return 2 - tap;
+  if (i == intervals && tap >= 1) return kTaps - tap;
+  return tap;
 }
 
 double Asymmetry(const RealTable& table) {

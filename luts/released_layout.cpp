@@ -24,7 +24,7 @@ void CheckRow(const RealTable& table, int ix, int jy) {
         table.name, ix, jy, sum, kReleasedTolerance));
   }
   for (int k = 0; k < kWeights; ++k) {
-    if (IsContractZero(kLast, ix, jy, k) && !(std::abs(row[k]) <= kReleasedTolerance)) {
+    if (IsContractZero(false, kLast, ix, jy, k) && !(std::abs(row[k]) <= kReleasedTolerance)) {
       throw Error(fmt::format(
           "{}: weight {} of node ({}, {}) is {}, expected 0 within {}, as this offset is on the "
           "border of its cell",
@@ -53,6 +53,12 @@ void CheckSeam(const RealTable& table) {
 }  // namespace
 
 Image ToReleasedLayout(const Fit& fit) {
+  if (HasPrefilter(fit.prefilter)) {
+    throw Error(
+        fmt::format("fit '{}' has a prefilter; expected one without, as the released layout "
+                    "holds a table alone",
+                    fit.name));
+  }
   const RealTable real = SampleFit(fit, kReleasedIntervals);
   const std::vector<IntegerRow> rows = RoundTable(real, TableFormat::kF32);
   Image image(kReleasedSide, kReleasedSide, 1);
@@ -73,7 +79,7 @@ RealTable FromReleasedLayout(const Image& image, const std::string& name) {
                             image.width, image.height, image.channels, kReleasedSide,
                             kReleasedSide));
   }
-  RealTable table{name, kReleasedIntervals, std::vector<Weights<double>>(kRows)};
+  RealTable table{name, kReleasedIntervals, std::vector<Weights<double>>(kRows), {}};
   for (int jy = 0; jy < kNodes; ++jy) {
     for (int ix = 0; ix < kNodes; ++ix) {
       Weights<double>& row = table.rows[table.RowAt(ix, jy)];
@@ -88,7 +94,7 @@ RealTable FromReleasedLayout(const Image& image, const std::string& name) {
     for (int ix = 0; ix < kNodes; ++ix) {
       Weights<double>& row = table.rows[table.RowAt(ix, jy)];
       for (int k = 0; k < kWeights; ++k) {
-        if (IsContractZero(kLast, ix, jy, k)) row[k] = 0;
+        if (IsContractZero(false, kLast, ix, jy, k)) row[k] = 0;
       }
       CloseSum(&row, static_cast<double>(ix) / kLast, static_cast<double>(jy) / kLast);
     }

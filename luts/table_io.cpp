@@ -9,6 +9,7 @@
 #include "datasets/image_io.h"
 #include "luts/fit.h"
 #include "luts/json_header.h"
+#include "luts/prefilter_json.h"
 #include "luts/quantize.h"
 #include "luts/released_layout.h"
 
@@ -29,7 +30,8 @@ void ExpectInteger(JsonFields& fields, const char* name, int expected) {
 }
 
 LoadedTable FromTableJson(JsonFields fields, const std::string& file) {
-  CheckHeader(fields, kTableFormat, kTableVersion);
+  const int version = CheckHeader(fields, kTableFormat, 1, kTableVersion);
+  const Prefilter prefilter = version > 1 ? ReadPrefilter(fields.Object("prefilter")) : Prefilter{};
   std::string name = fields.Text("name");
   const double scale = fields.Number("scale");
   if (scale < 1) fields.At("scale").Fail(fmt::format("is {}; expected at least 1", scale));
@@ -52,7 +54,7 @@ LoadedTable FromTableJson(JsonFields fields, const std::string& file) {
     rows[i / kWeights][i % kWeights] = integer;
   }
   fields.Finish();
-  BakedTable table(format, rows);
+  BakedTable table(format, rows, prefilter);
   CheckTable(table.view(), Quoted(file));
   return {std::move(name), std::move(table), scale};
 }

@@ -35,6 +35,10 @@ constexpr bool FiltersMotion(const SuperResolutionOptions& o) {
 constexpr bool WarpsHistory(const SuperResolutionOptions& o) {
   return KeepsHistory(o) && ReadsMotion(o);
 }
+// Whether the history is turned into coefficients before it is warped.
+inline bool PrefiltersHistory(const SuperResolutionOptions& o) {
+  return kContainsPrefilter && WarpsHistory(o) && HasPrefilter(PrefilterOf(o.warp));
+}
 constexpr bool HasResidual(const SuperResolutionOptions& o) {
   return KeepsHistory(o) && FormOf(o) != HistoryForm::kSample;
 }
@@ -79,6 +83,10 @@ constexpr bool GatesBrightness(const FrameGenerationOptions& o) {
 }
 constexpr bool FiltersMotion(const FrameGenerationOptions& o) {
   return Choose(kPipeline.generation.motion_filter, o.motion_filter);
+}
+// Whether the frames are turned into coefficients before they are warped.
+inline bool PrefiltersFrames(const FrameGenerationOptions& o) {
+  return kContainsPrefilter && HasPrefilter(PrefilterOf(o.warp));
 }
 constexpr ColorEncoding EncodingOf(const FrameGenerationOptions& o) {
   return Choose(kPipeline.generation.encoding, o.encoding);

@@ -11,7 +11,7 @@
 // warp frame 1 (extrapolation). docs/GENERATION.md has formulas, buffers, limits and measured quality.
 //
 // Any executor gives the same bits. The generating functions allocate nothing. Buffers take 16 bytes per pixel (without splatting none),
-// with kLinearHdr and with a motion filter 16 more each, and 48 bytes for each pixel of 16 rows and each thread; a motion filter has its own besides.
+// with kLinearHdr and with a motion filter 16 more each, with a filter that has a prefilter 32 more, and 48 bytes for each pixel of 16 rows and each thread; a motion filter has its own besides.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +39,9 @@ struct DisplayedFrame {
   ImageView depth;
   MotionView motion;
   bool cut = false;
+  // Not 0: tells the frame from all others that this object is given. A filter with prefilter then turns its colour into
+  // coefficients once, however many frames are generated from it. 0: at every call.
+  std::uint64_t id = 0;
 };
 
 // Defaults are those of kPipeline (runtime/pipeline.h) where the build contains one value alone.

@@ -34,4 +34,10 @@ inline MotionSplit SplitMotion(float m) {
 // read the border texel, so nothing changes any more.
 constexpr int SampledTexel(int p, int whole, int size) { return std::clamp(p + whole, -2, size); }
 
+// Moves a position beyond the centres of the outermost of `size` texels to them.
+constexpr void MoveInside(int size, int& texel, float& offset) {
+  if (texel < 0 || texel >= size - 1) offset = 0;
+  texel = std::clamp(texel, 0, size - 1);
+}
+
 }  // namespace warplut

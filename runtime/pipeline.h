@@ -24,6 +24,10 @@ constexpr T Choose(const std::optional<T>& choice, T at_run_time) {
   return choice.value_or(at_run_time);
 }
 
+// Whether a filter that the build contains may have a prefilter (runtime/prefilter.h).
+inline constexpr bool kContainsPrefilter =
+    !kPipeline.filter.has_value() || MayHavePrefilter(*kPipeline.filter);
+
 // A view whose format is a constant where the build contains one alone.
 template <class View>
 constexpr View InFormat(const std::optional<PixelFormat>& choice, View view) {

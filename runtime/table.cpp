@@ -25,7 +25,8 @@ float Decode(const TableView& view, int index) {
 
 }  // namespace
 
-Table::Table(const TableView& view) : rows_(kTableNodes * kTableNodes) {
+Table::Table(const TableView& view)
+    : rows_(kTableNodes * kTableNodes), prefilter_(view.prefilter) {
   for (int jy = 0; jy < kTableNodes; ++jy) {
     for (int ix = 0; ix < kTableNodes; ++ix) {
       // Node 32 is node 0 of the next texel: its tap k is tap k - 1 there.

@@ -33,11 +33,15 @@ class Table {
   // 33 x 33 rows of 16 weights, dy slowest, 64-byte aligned rows.
   const float* data() const { return rows_.front().weights.data(); }
 
+  // What turns an image into the coefficients that this table reads (luts/prefilter.h).
+  const Prefilter& prefilter() const { return prefilter_; }
+
  private:
   struct alignas(64) Row {
     Weights<float> weights;
   };
   std::vector<Row> rows_;
+  Prefilter prefilter_;
 };
 
 }  // namespace warplut

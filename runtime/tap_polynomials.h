@@ -8,16 +8,19 @@
 
 namespace warplut {
 
-// The four weights of one axis of a closed-form filter (not Filter::kLut); keys_a is that of Filter::kKeys.
+// The four weights of one axis of a closed-form filter (not Filter::kLut); `parameter` is a of Filter::kKeys, k of
+// Filter::kSpline.
 template <class T>
-constexpr std::array<T, kTaps> FilterTaps(Filter filter, float keys_a, T d) {
+constexpr std::array<T, kTaps> FilterTaps(Filter filter, float parameter, T d) {
   switch (filter) {
     case Filter::kBilinear:
       return BilinearTaps(d);
     case Filter::kCatmullRom:
       return KeysTaps(T(kCatmullRomA), d);
     case Filter::kKeys:
-      return KeysTaps(T(keys_a), d);
+      return KeysTaps(T(parameter), d);
+    case Filter::kSpline:
+      return SplineTaps(T(parameter), d);
     case Filter::kLut:
       break;
   }
@@ -29,11 +32,11 @@ struct TapPolynomials {
   std::array<std::array<float, 4>, kTaps> coefficients{};
 
   // The closed forms are cubic in d, so their values at d = -1, 0, 1, 2 determine them.
-  explicit TapPolynomials(Filter filter, float keys_a = static_cast<float>(kCatmullRomA)) {
-    const auto at_minus_1 = FilterTaps(filter, keys_a, -1.0);
-    const auto at_0 = FilterTaps(filter, keys_a, 0.0);
-    const auto at_1 = FilterTaps(filter, keys_a, 1.0);
-    const auto at_2 = FilterTaps(filter, keys_a, 2.0);
+  explicit TapPolynomials(Filter filter, float parameter = static_cast<float>(kCatmullRomA)) {
+    const auto at_minus_1 = FilterTaps(filter, parameter, -1.0);
+    const auto at_0 = FilterTaps(filter, parameter, 0.0);
+    const auto at_1 = FilterTaps(filter, parameter, 1.0);
+    const auto at_2 = FilterTaps(filter, parameter, 2.0);
     for (int t = 0; t < kTaps; ++t) {
       const double c3 = (at_2[t] - at_minus_1[t] + 3 * (at_0[t] - at_1[t])) / 6;
       const double c2 = (at_1[t] + at_minus_1[t]) / 2 - at_0[t];

@@ -15,22 +15,22 @@ bool Refuse(const char* reason, const char** why) {
   return false;
 }
 
-// Copies the pixels from `whole` texels away, coordinates clamped.
+// Copies the samples from `whole` texels away, coordinates clamped.
 void CopyPixels(const WarpJob& job, const TileRect& pixels, int whole_x, int whole_y) {
-  const ImageView& history = job.history;
-  const int bytes = BytesPerPixel(history.format);
+  const ImageView& samples = job.samples;
+  const int bytes = BytesPerPixel(samples.format);
   // Pixels [begin, end) have their texel inside the image; the others repeat a border texel.
   const int begin = std::clamp(-whole_x, pixels.x0, pixels.x1);
-  const int end = std::clamp(history.width - whole_x, begin, pixels.x1);
+  const int end = std::clamp(samples.width - whole_x, begin, pixels.x1);
   for (int y = pixels.y0; y < pixels.y1; ++y) {
-    const int from_y = std::clamp(y + whole_y, 0, history.height - 1);
+    const int from_y = std::clamp(y + whole_y, 0, samples.height - 1);
     const auto copy = [&](int x, int from_x, int count) {
-      std::memcpy(job.out.At(x, y), history.At(from_x, from_y),
+      std::memcpy(job.out.At(x, y), samples.At(from_x, from_y),
                   static_cast<std::size_t>(count) * bytes);
     };
     for (int x = pixels.x0; x < begin; ++x) copy(x, 0, 1);
     if (begin < end) copy(begin, begin + whole_x, end - begin);
-    for (int x = end; x < pixels.x1; ++x) copy(x, history.width - 1, 1);
+    for (int x = end; x < pixels.x1; ++x) copy(x, samples.width - 1, 1);
   }
 }
 
@@ -85,12 +85,27 @@ WarpStats WarpTileRows(const WarpJob& job, int first, int last, const MotionOf& 
   return stats;
 }
 
+template <class Image>
+WarpStats WarpImageRows(const Image& history, const MotionView& motion, const WarpOptions& options,
+                        int first_row, int last_row, const MutableImageView& out) {
+  // A view that ends at last_row: its last tiles may be smaller.
+  MutableImageView rows = out;
+  rows.height = last_row;
+  return WarpTileRows({history, motion, options, rows}, first_row / kTileHeight,
+                      TileCount(last_row, kTileHeight), [&](int column, int row) {
+                        return ClassifyTile(motion, TileAt(column, row, out.width, last_row));
+                      });
+}
+
 }  // namespace
 
 bool WarpOptions::IsValid(const char** why) const {
   const FilterInfo& info = Info(filter);
   if (info.needs_a && !(keys_a >= -1.0f && keys_a <= 0.0f)) {
     return Refuse("keys_a is outside of [-1, 0]", why);
+  }
+  if (info.needs_k && !(spline_k >= kLeastSplineK && spline_k <= kLargestSplineK)) {
+    return Refuse("spline_k is outside of [-0.1, 0.06]", why);
   }
   if (info.needs_table && table == nullptr) return Refuse("the lut filter has no table", why);
   if (!Contains(kPipeline.filter, filter)) return Refuse("this build contains another filter", why);
@@ -136,8 +151,49 @@ bool IsWarpable(const ImageView& history, const MotionView& motion, const Mutabl
   return true;
 }
 
+bool IsWarpable(const PrefilteredImage& history, const MotionView& motion,
+                const MutableImageView& out, const char** why) {
+  const ImageView& samples = history.samples;
+  const ImageView& coefficients = history.coefficients;
+  if (!IsWarpable(samples, motion, out, why)) return false;
+  if (coefficients.data == nullptr) return Refuse("the coefficients have no data", why);
+  if (coefficients.width != samples.width || coefficients.height != samples.height) {
+    return Refuse("coefficients and samples differ in size", why);
+  }
+  if (coefficients.format != CoefficientFormat(samples.format)) {
+    return Refuse("the coefficients are not in the format of those of the samples", why);
+  }
+  const std::ptrdiff_t pixel = BytesPerPixel(coefficients.format);
+  if (coefficients.stride < samples.width * pixel) {
+    return Refuse("the stride of the coefficients is less than a row", why);
+  }
+  if (coefficients.stride % (pixel / Channels(coefficients.format)) != 0) {
+    return Refuse("the stride of the coefficients is not whole channels", why);
+  }
+  return true;
+}
+
+Prefilter PrefilterOf(const WarpOptions& options) {
+  switch (FilterOf(options)) {
+    case Filter::kLut:
+      return options.table->prefilter();
+    case Filter::kSpline:
+      return {.kind = PrefilterKind::kRecursive, .side = SplineSide(options.spline_k)};
+    case Filter::kBilinear:
+    case Filter::kCatmullRom:
+    case Filter::kKeys:
+      break;
+  }
+  return {};
+}
+
 WarpStats Warp(const ImageView& history, const MotionView& motion, const WarpOptions& options,
                const MutableImageView& out) {
+  return WarpRows(history, motion, options, 0, out.height, out);
+}
+
+WarpStats Warp(const PrefilteredImage& history, const MotionView& motion,
+               const WarpOptions& options, const MutableImageView& out) {
   return WarpRows(history, motion, options, 0, out.height, out);
 }
 
@@ -149,13 +205,13 @@ WarpStats Warp(const ImageView& history, const MotionView& motion, const MotionT
 
 WarpStats WarpRows(const ImageView& history, const MotionView& motion, const WarpOptions& options,
                    int first_row, int last_row, const MutableImageView& out) {
-  // A view that ends at last_row: its last tiles may be smaller.
-  MutableImageView rows = out;
-  rows.height = last_row;
-  return WarpTileRows({history, motion, options, rows}, first_row / kTileHeight,
-                      TileCount(last_row, kTileHeight), [&](int column, int row) {
-                        return ClassifyTile(motion, TileAt(column, row, out.width, last_row));
-                      });
+  return WarpImageRows(history, motion, options, first_row, last_row, out);
+}
+
+WarpStats WarpRows(const PrefilteredImage& history, const MotionView& motion,
+                   const WarpOptions& options, int first_row, int last_row,
+                   const MutableImageView& out) {
+  return WarpImageRows(history, motion, options, first_row, last_row, out);
 }
 
 }  // namespace warplut

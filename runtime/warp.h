@@ -8,6 +8,12 @@
 //
 // RGBA8 rounds halves up and clamps to [0, 255]; RGBA16F is summed in float and rounded to nearest even.
 // Motion, history and output have one size; history and output one format; the output overlaps neither input.
+//
+// A filter with prefilter (PrefilterOf) weighs coefficients (runtime/prefilter.h) in place of the
+// history's texels. It takes a PrefilteredImage; an ImageView alone it would blur. A filter without
+// prefilter takes an ImageView. Where d = (0, 0) the sample is copied, bit for bit. A position beyond
+// the centres of the outermost pixels is moved to them, in each axis: far outside is the border
+// sample.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +28,11 @@
 namespace warplut {
 
 // The largest difference of Warp from WarpReference.
-// RGBA8: code values; exactly 0 for tables other than f32 with nearest lookup, as every sum is
-// exact in float.
+// RGBA8: code values; exactly 0 for tables other than f32, without prefilter, with nearest lookup:
+// every sum is exact in float.
 inline constexpr int kWarpRgba8Bound = 1;
-// Float formats: relative to the largest |texel| of the window (RGBA16F: plus one unit of the result's last place).
+// Float formats: relative to the largest |texel|, or |coefficient|, of the window (RGBA16F: plus
+// one unit of the result's last place).
 inline constexpr float kWarpFloatBound = 0x1p-20f;
 
 // The largest width and height of an image.
@@ -34,6 +41,7 @@ inline constexpr int kLargestSize = 1 << 20;
 struct WarpOptions {
   Filter filter = kPipeline.filter.value_or(Filter::kCatmullRom);
   float keys_a = static_cast<float>(kCatmullRomA);  // Filter::kKeys: in [-1, 0]
+  float spline_k = 0;                               // Filter::kSpline: in [kLeastSplineK, kLargestSplineK]
   const Table* table = nullptr;                     // Filter::kLut: not null, outlives the call
   Lookup lookup = kPipeline.lookup.value_or(Lookup::kBilinear);
   bool general_only = false;  // do not use what tiles have in common; for tests and benchmarks
@@ -42,12 +50,31 @@ struct WarpOptions {
   bool IsValid(const char** why) const;
 };
 
+// The range of k of Filter::kSpline: sides of 1/15 to 17/75.
+inline constexpr float kLeastSplineK = -0.1f;
+inline constexpr float kLargestSplineK = 0.06f;
+
+// The prefilter of the options' filter; kind none where it weighs samples.
+Prefilter PrefilterOf(const WarpOptions& options);
+
+// An image as a filter with prefilter reads it. Both views have one size; `coefficients` has CoefficientFormat of the
+// samples' format.
+struct PrefilteredImage {
+  ImageView samples;
+  ImageView coefficients;
+};
+
 // The weights of the options' filter for an offset in [0, 1)^2.
 Weights<float> FilterWeights(const WarpOptions& options, float dx, float dy);
 
 // Whether a warp may be called: sizes, formats, strides and pointers fit; otherwise *why (if not null) says why not.
 bool IsWarpable(const ImageView& history, const MotionView& motion, const MutableImageView& out,
                 const char** why);
+
+// The same for a filter with prefilter. Neither knows the options: PrefilterOf tells which of the
+// two a filter takes.
+bool IsWarpable(const PrefilteredImage& history, const MotionView& motion,
+                const MutableImageView& out, const char** why);
 
 // The formula above, one pixel after the other: slow, obvious. Input is assumed to be checked, as for Warp.
 void WarpReference(const ImageView& history, const MotionView& motion, const WarpOptions& options,
@@ -79,6 +106,15 @@ WarpStats Warp(const ImageView& history, const MotionView& motion, const MotionT
 // height: then any split of an image into calls, on any threads, gives the same bits as one call.
 WarpStats WarpRows(const ImageView& history, const MotionView& motion, const WarpOptions& options,
                    int first_row, int last_row, const MutableImageView& out);
+
+// Warp, WarpRows and WarpReference with a filter that has a prefilter. The output has the samples' format.
+WarpStats Warp(const PrefilteredImage& history, const MotionView& motion, const WarpOptions& options,
+               const MutableImageView& out);
+WarpStats WarpRows(const PrefilteredImage& history, const MotionView& motion,
+                   const WarpOptions& options, int first_row, int last_row,
+                   const MutableImageView& out);
+void WarpReference(const PrefilteredImage& history, const MotionView& motion,
+                   const WarpOptions& options, const MutableImageView& out);
 
 // The name of the instruction set that Warp runs on here ("AVX3", "AVX2", ...).
 const char* WarpTarget();

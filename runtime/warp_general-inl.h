@@ -178,18 +178,18 @@ HWY_INLINE void SumRow(const ImageView& history, const float* table, PixelRow& r
   }
 }
 
-// Rounds the sums into the output; pixels of whole displacement copy their texel.
+// Rounds the sums into the output; pixels of whole displacement copy their sample.
 HWY_INLINE void StoreRow(const WarpJob& job, int x0, int y, const PixelRow& r) {
   const PixelFormat format = job.out.format;
   const auto bytes = static_cast<std::size_t>(BytesPerPixel(format));
   StoreChannels(format, r.sums, r.count * Channels(format), job.out.At(x0, y));
   if (!r.any_whole) return;
-  const ImageView& history = job.history;
+  const ImageView& samples = job.samples;
   for (int p = 0; p < r.count; ++p) {
     if (r.offset_x[p] != 0 || r.offset_y[p] != 0) continue;
-    const int tx = std::clamp(r.texel_x[p], 0, history.width - 1);
-    const int ty = std::clamp(r.texel_y[p], 0, history.height - 1);
-    std::memcpy(job.out.At(x0 + p, y), history.At(tx, ty), bytes);
+    const int tx = std::clamp(r.texel_x[p], 0, samples.width - 1);
+    const int ty = std::clamp(r.texel_y[p], 0, samples.height - 1);
+    std::memcpy(job.out.At(x0 + p, y), samples.At(tx, ty), bytes);
   }
 }
 
@@ -208,13 +208,11 @@ HWY_INLINE void PrefetchNext(const WarpJob& job, int x, int y, const PixelRow& r
 }
 
 inline void General(const WarpJob& any_format, const TileRect& pixels) {
-  const ImageView history = InFormat(kWarpedFormat, any_format.history);
-  const MutableImageView out = InFormat(kWarpedFormat, any_format.out);
-  const WarpJob job{history, any_format.motion, any_format.options, out};
+  const WarpJob job = any_format.InFormats();
   const Filter filter = FilterOf(job.options);
   const bool lut = filter == Filter::kLut;
   const bool nearest = lut && LookupOf(job.options) == Lookup::kNearest;
-  const TapPolynomials taps(filter, job.options.keys_a);
+  const TapPolynomials taps(filter, ParameterOf(job.options));
   const Table* table = job.options.table;
   PixelRow r;
   for (int y = pixels.y0; y < pixels.y1; ++y) {

@@ -35,17 +35,25 @@ Rgba LoadPixel(const ImageView& image, int x, int y) {
 }  // namespace
 
 void WarpReferencePixels(const WarpJob& job, const TileRect& pixels) {
-  const auto& [history, motion, options, out] = job;
-  const int last_x = job.history.width - 1;
-  const int last_y = job.history.height - 1;
+  const ImageView& history = job.history;
+  const MutableImageView& out = job.out;
+  const int last_x = history.width - 1;
+  const int last_y = history.height - 1;
   for (int y = pixels.y0; y < pixels.y1; ++y) {
     for (int x = pixels.x0; x < pixels.x1; ++x) {
-      const MotionSplit split_x = SplitMotion(motion.Row(y)[2 * x]);
-      const MotionSplit split_y = SplitMotion(motion.Row(y)[2 * x + 1]);
-      const int tx = SampledTexel(x, split_x.whole, history.width);
-      const int ty = SampledTexel(y, split_y.whole, history.height);
-      if (split_x.offset == 0 && split_y.offset == 0) {
-        std::memcpy(out.At(x, y), history.At(std::clamp(tx, 0, last_x), std::clamp(ty, 0, last_y)),
+      const auto& [whole_x, split_dx] = SplitMotion(job.motion.Row(y)[2 * x]);
+      const auto& [whole_y, split_dy] = SplitMotion(job.motion.Row(y)[2 * x + 1]);
+      int tx = SampledTexel(x, whole_x, history.width);
+      int ty = SampledTexel(y, whole_y, history.height);
+      float dx = split_dx;
+      float dy = split_dy;
+      if (job.IsPrefiltered()) {
+        MoveInside(history.width, tx, dx);
+        MoveInside(history.height, ty, dy);
+      }
+      if (dx == 0 && dy == 0) {
+        std::memcpy(out.At(x, y),
+                    job.samples.At(std::clamp(tx, 0, last_x), std::clamp(ty, 0, last_y)),
                     BytesPerPixel(out.format));
         continue;
       }
@@ -54,8 +62,7 @@ void WarpReferencePixels(const WarpJob& job, const TileRect& pixels) {
         texels[k] = LoadPixel(history, std::clamp(tx + TapX(k), 0, last_x),
                               std::clamp(ty + TapY(k), 0, last_y));
       }
-      const Rgba value =
-          ApplyWeights(FilterWeights(options, split_x.offset, split_y.offset), texels);
+      const Rgba value = ApplyWeights(FilterWeights(job.options, dx, dy), texels);
       for (int c = 0; c < Channels(out.format); ++c) {
         StoreChannel(out.format, value.c[c], out.At(x, y), c);
       }
@@ -68,10 +75,16 @@ void WarpReference(const ImageView& history, const MotionView& motion, const War
   WarpReferencePixels({history, motion, options, out}, {0, 0, out.width, out.height});
 }
 
+void WarpReference(const PrefilteredImage& history, const MotionView& motion,
+                   const WarpOptions& options, const MutableImageView& out) {
+  WarpReferencePixels({history, motion, options, out}, {0, 0, out.width, out.height});
+}
+
 Weights<float> FilterWeights(const WarpOptions& options, float dx, float dy) {
   const Filter filter = FilterOf(options);
   if (filter == Filter::kLut) return options.table->At(dx, dy, LookupOf(options));
-  return Separable(FilterTaps(filter, options.keys_a, dx), FilterTaps(filter, options.keys_a, dy));
+  const float parameter = ParameterOf(options);
+  return Separable(FilterTaps(filter, parameter, dx), FilterTaps(filter, parameter, dy));
 }
 
 }  // namespace warplut

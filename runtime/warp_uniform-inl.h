@@ -208,16 +208,15 @@ HWY_INLINE void ConvertedStrip(const WarpJob& job, const TileRect& strip, int x0
     SumRows<4>(weights.data(), {window, kWindowStride}, count, {sums, kSumStride}, {});
   }
   for (int y = 0; y < strip.height(); ++y) {
-    StoreChannels(history.format, sums + y * kSumStride, count, job.out.At(strip.x0, strip.y0 + y));
+    StoreChannels(job.out.format, sums + y * kSumStride, count, job.out.At(strip.x0, strip.y0 + y));
   }
 }
 
-inline void Uniform(const WarpJob& any_format, const TileRect& pixels, float mx, float my) {
+// `job` has InFormats.
+HWY_INLINE void UniformPixels(const WarpJob& job, const TileRect& pixels, float mx, float my) {
   const MotionSplit split_x = SplitMotion(mx);
   const MotionSplit split_y = SplitMotion(my);
-  const ImageView history = InFormat(kWarpedFormat, any_format.history);
-  const MutableImageView out = InFormat(kWarpedFormat, any_format.out);
-  const WarpJob job{history, any_format.motion, any_format.options, out};
+  const ImageView& history = job.history;
   const Weights<float> weights = FilterWeights(job.options, split_x.offset, split_y.offset);
   // Far outside, only border texels are read: any window there is the same.
   const auto first_x = [&](int x) {
@@ -243,6 +242,33 @@ inline void Uniform(const WarpJob& any_format, const TileRect& pixels, float mx,
       x = strip.x1;
     }
   }
+}
+
+// Pixels [begin, end) of [first, last): those whose position is between the outermost texels.
+struct InsideRange {
+  InsideRange(int whole, int size, int first, int last)
+      : begin(std::clamp(-whole, first, last)), end(std::clamp(size - 1 - whole, begin, last)) {}
+  int begin, end;
+};
+
+// Where positions are moved into a prefiltered image, pixels do not share their weights: the
+// general kernel warps them.
+inline void Uniform(const WarpJob& any_format, const TileRect& pixels, float mx, float my) {
+  const WarpJob job = any_format.InFormats();
+  TileRect inside = pixels;
+  if (job.IsPrefiltered()) {
+    const InsideRange x(SplitMotion(mx).whole, job.history.width, pixels.x0, pixels.x1);
+    const InsideRange y(SplitMotion(my).whole, job.history.height, pixels.y0, pixels.y1);
+    inside = {x.begin, y.begin, x.end, y.end};
+    const TileRect outside[] = {{pixels.x0, pixels.y0, pixels.x1, y.begin},
+                                {pixels.x0, y.begin, x.begin, y.end},
+                                {x.end, y.begin, pixels.x1, y.end},
+                                {pixels.x0, y.end, pixels.x1, pixels.y1}};
+    for (const TileRect& rest : outside) {
+      if (rest.width() > 0 && rest.height() > 0) WarpGeneral(any_format, rest);
+    }
+  }
+  UniformPixels(job, inside, mx, my);
 }
 
 }  // namespace HWY_NAMESPACE

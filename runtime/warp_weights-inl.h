@@ -54,6 +54,16 @@ HWY_INLINE void SplitAxis(hn::Vec<FloatTag> m, hn::Vec<IntTag> p, int size, hn::
   texel = hn::Min(hn::Max(sampled, hn::Set(di, -2)), hn::Set(di, size));
 }
 
+// MoveInside for kLanes pixels.
+HWY_INLINE void MoveInside(int size, hn::Vec<IntTag>& texel, hn::Vec<FloatTag>& offset) {
+  const FloatTag d;
+  const IntTag di;
+  const auto last = hn::Set(di, size - 1);
+  const auto outside = hn::Or(hn::Lt(texel, hn::Zero(di)), hn::Gt(texel, hn::Set(di, size - 2)));
+  offset = hn::IfThenZeroElse(hn::RebindMask(d, outside), offset);
+  texel = hn::Min(hn::Max(texel, hn::Zero(di)), last);
+}
+
 HWY_INLINE void SplitRow(const WarpJob& job, int x0, int y, PixelRow& r) {
   const FloatTag d;
   const IntTag di;
@@ -74,6 +84,10 @@ HWY_INLINE void SplitRow(const WarpJob& job, int x0, int y, PixelRow& r) {
     hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
     SplitAxis(mx, Numbers(x0 + i), width, tx, offset_x);
     SplitAxis(my, hn::Set(di, y), height, ty, offset_y);
+    if (job.IsPrefiltered()) {
+      MoveInside(width, tx, offset_x);
+      MoveInside(height, ty, offset_y);
+    }
     hn::Store(tx, di, r.texel_x + i);
     hn::Store(ty, di, r.texel_y + i);
     hn::Store(offset_x, d, r.offset_x + i);

@@ -32,7 +32,7 @@ std::vector<CrossFilter> LoadFilters(const std::vector<std::string>& luts) {
   std::vector<CrossFilter> filters = {{"catmull-rom", KeysCanonicalWeights(kCatmullRomA)}};
   for (const std::string& path : luts) {
     const LoadedTable loaded = LoadTable(path);
-    filters.push_back({loaded.name, CanonicalTableWeights(loaded.table)});
+    filters.push_back({loaded.name, TableResampler(loaded.table)});
   }
   return filters;
 }

@@ -46,14 +46,14 @@ std::vector<Protocol> Protocols(const EvalArguments& arguments) {
   std::vector<Protocol> protocols;
   for (const int warps : arguments.warps) {
     for (const Offsets offsets : {Offsets::kHalf, Offsets::kRandom, Offsets::kPan}) {
-      // A pan returns to the start after whole turns only.
-      if (offsets == Offsets::kPan && warps % kNodes != 0) continue;
       const auto& asked = arguments.offsets;
       if (std::find(asked.begin(), asked.end(), Name(offsets)) == asked.end()) continue;
       RequireUsage(
           offsets != Offsets::kHalf || warps % 2 == 0,
           fmt::format("--warps has {}; with half offsets only even numbers return to the start.",
                       warps));
+      RequireUsage(offsets != Offsets::kPan || warps >= 2,
+                   "--warps has 1; a pan returns to the start after 2 or more.");
       protocols.push_back({.warps = warps, .offsets = offsets});
     }
   }
@@ -80,8 +80,7 @@ void Score(const EvalArguments& arguments, const std::vector<Image>& images,
       .trajectories = arguments.trajectories, .seed = arguments.seed, .on_warps = {}};
   double total = ScoreFilterWarps(report.protocols, options, images.size());
   for (const std::string& name : arguments.against) {
-    total += name == kBestKeys ? ScoreBestKeysWarps(report.protocols, options, images.size())
-                               : ScoreFilterWarps(report.protocols, options, images.size());
+    total += ScoreNamedWarps(name, report.protocols, options, images.size());
   }
   Progress progress("warping", total, "warps");
   options.on_warps = [&](int warps) {
@@ -90,9 +89,7 @@ void Score(const EvalArguments& arguments, const std::vector<Image>& images,
   };
   report.judged = ScoreFilter(lut, report.protocols, images, options);
   for (const std::string& name : arguments.against) {
-    report.others.push_back(
-        name == kBestKeys ? ScoreBestKeys(report.protocols, images, options)
-                          : ScoreFilter(NamedFilter(name), report.protocols, images, options));
+    report.others.push_back(ScoreNamed(name, report.protocols, images, options));
   }
 }
 
@@ -125,7 +122,7 @@ void CheckImageArguments(const EvalArguments& arguments) {
       arguments.crop == 0 || arguments.crop >= kProtocolMinSide,
       fmt::format("--crop is {}; expected 0 or at least {}.", arguments.crop, kProtocolMinSide));
   for (const std::string& name : arguments.against) {
-    if (name != kBestKeys) NamedFilter(name);
+    if (FindFamily(name) == nullptr) NamedFilter(name);
   }
   for (const std::string& target : arguments.sequence.targets) {
     const std::string against = ParseScoreTarget(target).against;
@@ -203,7 +200,9 @@ void AddEvalCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   command
       ->add_option("--against", a.against,
-                   "bilinear, catmull-rom, keys:A, best-keys (the best A each time)")
+                   "Filters to compare with: best-keys, best-spline (the best A or K each time), "
+                   "kaiser6:B, lanczos3, " +
+                       WarpNames())
       ->delimiter(',')
       ->capture_default_str();
   command->add_option("--format", a.format, "How a fit or an .exr is stored before it is judged")
@@ -219,9 +218,9 @@ void AddEvalCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   command->add_option("--seed", a.seed, "Of the random trajectories")->capture_default_str();
   command->add_option("--target", a.sequence.targets,
-                      "FILTER,MARGIN[,half|random[,MAX_WARPS]]: the SSIM must exceed FILTER's by "
-                      "more than MARGIN; on "
-                      "sequences METHOD,PSNR,SSIM: what it must reach");
+                      std::string(kScoreTargetForm) +
+                          ": the SSIM must exceed FILTER's by more than MARGIN; on sequences "
+                          "METHOD,PSNR,SSIM: what it must reach");
   command->add_option("--pictures", a.sequence.pictures,
                       "Folder for pictures: original, Catmull-Rom and the LUT after 24 warps; on "
                       "sequences the reference and all methods where they err most");

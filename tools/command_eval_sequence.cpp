@@ -91,7 +91,7 @@ class SequenceEval {
     SequenceReport report{.sequence = loaded.name, .methods = {}};
     Progress progress("judging " + loaded.name, static_cast<double>(methods_.size()), "methods");
     for (const MethodInfo* method : methods_) {
-      SequenceJudge judge(loaded.truth, *method, arguments_.border);
+      SequenceJudge judge(loaded.truth, *method, arguments_.border, arguments_.settled);
       Run(loaded, *method, [&](const ShownFrame& shown) { judge.Add(shown); });
       report.methods.push_back(judge.Finish());
       progress.Add(1);
@@ -178,6 +178,7 @@ CLI::Option* AddSequenceOptions(CLI::App& eval, SequenceEvalArguments* arguments
   eval.add_option("--border", a.border, "Pixels at each edge that do not count, on sequences")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
+  AddSettledOption(eval, &a.settled)->needs(sequence);
   AddTableOptions(eval, &a.pipeline);
   AddPipelineOptions(eval, &a.pipeline);
   return sequence;

@@ -17,6 +17,7 @@ struct SequenceEvalArguments {
   std::vector<std::string> modes = {"sr"};
   int every = 2;  // for methods that generate; the others see every frame
   int border = kScoreBorder;
+  int settled = 0;  // judged frames that the settled means leave out; 0: there are none
   PipelineArguments pipeline;
   std::vector<std::string> targets;
   std::string pictures;
@@ -24,7 +25,7 @@ struct SequenceEvalArguments {
   bool json = false;
 };
 
-// Adds --sequence (returned), --modes, --every, --border and the options of tables and pipelines.
+// Adds --sequence (returned), --modes, --every, --border, --settled and the options of tables and pipelines.
 CLI::Option* AddSequenceOptions(CLI::App& eval, SequenceEvalArguments* arguments);
 
 ExitCode RunSequenceEval(const SequenceEvalArguments& arguments);

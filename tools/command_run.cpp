@@ -24,6 +24,7 @@ struct RunArguments {
   std::string format;
   int every = 1;
   bool score = false;
+  int settled = 0;  // of --score
   bool json = false;
   PipelineArguments pipeline;
 };
@@ -67,7 +68,7 @@ ExitCode Run(const RunArguments& arguments) {
   std::optional<SequenceJudge> judge;
   if (arguments.score) {
     truth = LoadTruth(sequence, range);
-    judge.emplace(*truth, *method);
+    judge.emplace(*truth, *method, kScoreBorder, arguments.settled);
   }
 
   const std::filesystem::path folder = arguments.out;
@@ -120,7 +121,9 @@ void AddRunCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   AddTableOptions(*command, &a.pipeline);
   AddPipelineOptions(*command, &a.pipeline);
-  command->add_flag("--score", a.score, "Judge the frames by the references and print the table");
+  CLI::Option* score = command->add_flag("--score", a.score,
+                                         "Judge the frames by the references and print the table");
+  AddSettledOption(*command, &a.settled)->needs(score);
   AddJsonOption(*command, &a.json);
   command->callback([arguments, run] { *run = [arguments] { return Run(*arguments); }; });
 }

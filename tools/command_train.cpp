@@ -8,6 +8,7 @@
 
 #include "datasets/file.h"
 #include "luts/fit.h"
+#include "luts/prefilter_json.h"
 #include "tools/command.h"
 #include "tools/image_set.h"
 #include "tools/interrupt.h"
@@ -26,6 +27,7 @@ struct TrainArguments {
   std::string out;
   std::string name;
   std::string objective = Name(TrainObjective::kWarp);
+  std::string prefilter = PrefilterName({});
   std::string optimizer = Name(Optimizer::kLbfgs);
   bool json = false;
 };
@@ -57,7 +59,8 @@ TextTable ValidationTable(const std::vector<FitScore>& scores) {
   return table;
 }
 
-Json ToJson(const Fit& fit, const std::string& out) {
+Json ToJson(const TrainResult& result, const std::string& out) {
+  const Fit& fit = result.fit;
   Json validation = Json::array();
   for (const FitScore& score : fit.validation) {
     validation.push_back({{"filter", score.filter},
@@ -66,26 +69,39 @@ Json ToJson(const Fit& fit, const std::string& out) {
                           {"ssim", score.ssim}});
   }
   const FitLoss last = fit.loss.empty() ? FitLoss{} : fit.loss.back();
-  return {{"fit", out},
-          {"name", fit.name},
-          {"scale", fit.scale},
-          {"objective", fit.objective},
-          {"images", fit.data.size()},
-          {"seconds", last.seconds},
-          {"evaluations", last.evaluations},
-          {"loss", last.loss},
-          {"validation_loss", last.validation},
-          {"keys_a", fit.keys_a},
-          {"validation", validation}};
+  Json json = {{"fit", out},
+               {"name", fit.name},
+               {"scale", fit.scale},
+               {"objective", fit.objective},
+               {"images", fit.data.size()},
+               {"seconds", last.seconds},
+               {"evaluations", last.evaluations},
+               {"loss", last.loss},
+               {"validation_loss", last.validation},
+               {"keys_a", fit.keys_a},
+               {"cut", result.cut},
+               {"validation", validation}};
+  if (HasPrefilter(fit.prefilter)) {
+    json["prefilter"] = ToJson(fit.prefilter);
+    json["spline_k"] = fit.spline_k;
+  }
+  return json;
 }
 
-void PrintText(const Fit& fit, const std::string& out) {
+void PrintText(const TrainResult& result, const std::string& out) {
+  const Fit& fit = result.fit;
   const FitLoss last = fit.loss.empty() ? FitLoss{} : fit.loss.back();
   Print(fmt::format(
       "{}: trained in {:.1f} s with {} evaluations on {} images; loss {:.6f}, validation {:.6f}, "
       "best Keys a = {:.3f}\n",
       out, last.seconds, last.evaluations, fit.data.size(), last.loss, last.validation,
       fit.keys_a));
+  if (HasPrefilter(fit.prefilter)) {
+    Print(fmt::format("prefilter {} of side {:.5f}; best spline k = {:.5f} (1 / {:.1f})\n",
+                      Name(fit.prefilter.kind), fit.prefilter.side, fit.spline_k,
+                      1 / fit.spline_k));
+  }
+  if (result.cut) Print("--max-seconds ended the training before all of its work was done\n");
   if (!fit.validation.empty()) Print(ToText(ValidationTable(fit.validation)));
 }
 
@@ -97,6 +113,9 @@ ExitCode RunTrain(TrainArguments arguments) {
                                                                        : TrainObjective::kWarp;
   options.optimizer =
       arguments.optimizer == Name(Optimizer::kAdam) ? Optimizer::kAdam : Optimizer::kLbfgs;
+  RequireUsage(SetPrefilter(arguments.prefilter, &options),
+               fmt::format("--prefilter is '{}'; expected none, spline, iir or fir:N.",
+                           arguments.prefilter));
   options.checkpoint = out.string() + ".checkpoint";
   std::string why;
   RequireUsage(options.IsValid(&why), why);
@@ -130,9 +149,9 @@ ExitCode RunTrain(TrainArguments arguments) {
   result.fit.name = name;
   WriteFit(out, result.fit);
   if (arguments.json) {
-    PrintJson(ToJson(result.fit, arguments.out));
+    PrintJson(ToJson(result, arguments.out));
   } else {
-    PrintText(result.fit, arguments.out);
+    PrintText(result, arguments.out);
   }
   return ExitCode::kDone;
 }
@@ -162,6 +181,12 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
           "What is minimised: the loss of repeated warps, or of the loop of super resolution")
       ->check(CLI::IsMember({Name(TrainObjective::kWarp), Name(TrainObjective::kSr)}))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--prefilter", arguments->prefilter,
+          "What is learned beside the table: none, spline (fixed, of the best spline), iir "
+          "(recursive) or fir:N (N taps, odd, 3 to 15)")
+      ->capture_default_str();
   command->add_option("--blend-a", options.blend_a,
                       "Share of a sample on the pixel centre, with --objective sr (default: the "
                       "pipeline's)");
@@ -179,8 +204,8 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
                       "Largest gain of any node (default: by horizons)");
   command->add_option("--pan-share", options.pan_share,
                       fmt::format("Share of constant motion in the objective, in [0, 1) (default: "
-                                  "0, or {} with --objective sr)",
-                                  kSrPanShare));
+                                  "{:.2f}, {} with --prefilter none, {} with --objective sr)",
+                                  kPanShare, kPlainPanShare, kSrPanShare));
   command->add_option(
       "--aliasing", options.aliasing,
       fmt::format("Noise of samples by aliasing, in output pixels, with --objective "

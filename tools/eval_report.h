@@ -22,7 +22,8 @@ struct EvalReport {
   std::vector<std::string> missed;  // targets, one sentence each
 };
 
-// Rows: each filter's SSIM, the parameters of best-keys, and the judged filter's gain over each other one.
+// Rows: each filter's SSIM, the parameters of the best of a family, and the judged filter's gain
+// over each other one. Columns: the protocols, and their mean.
 TextTable ScoreTable(const EvalReport& report);
 
 nlohmann::ordered_json ToJson(const EvalReport& report);

@@ -4,44 +4,51 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 #include <sstream>
 
 #include "datasets/error.h"
-#include "tools/golden_section.h"
 #include "tools/protocol_filter.h"
+#include "train/golden_section.h"
 
 namespace warplut {
 namespace {
 
-ProtocolFilter KeysFilter(double a) {
-  return RuntimeFilter(KeysName(a), {.filter = Filter::kKeys, .keys_a = static_cast<float>(a)});
-}
-
 [[noreturn]] void RefuseTarget(const std::string& text) {
-  throw Error(
-      fmt::format("'{}' is not a target; expected FILTER,MARGIN[,half|random[,MAX_WARPS]].", text));
+  throw Error(fmt::format("'{}' is not a target; expected {}.", text, kScoreTargetForm));
 }
 
 }  // namespace
 
+double FilterScores::Mean() const {
+  return std::accumulate(ssim.begin(), ssim.end(), 0.0) / static_cast<double>(ssim.size());
+}
+
+FilterScores ScoreNamed(const std::string& name, const std::vector<Protocol>& protocols,
+                        const std::vector<Image>& images, const ProtocolOptions& options) {
+  const FilterFamily* family = FindFamily(name);
+  return family != nullptr ? ScoreBest(*family, protocols, images, options)
+                           : ScoreFilter(NamedFilter(name), protocols, images, options);
+}
+
 FilterScores ScoreFilter(const ProtocolFilter& filter, const std::vector<Protocol>& protocols,
                          const std::vector<Image>& images, const ProtocolOptions& options) {
-  FilterScores scores{.name = filter.name, .ssim = {}, .keys_a = {}};
+  FilterScores scores{.name = filter.name, .ssim = {}, .parameters = {}};
   for (const Protocol& protocol : protocols) {
     scores.ssim.push_back(ProtocolScore(filter, protocol, images, options));
   }
   return scores;
 }
 
-FilterScores ScoreBestKeys(const std::vector<Protocol>& protocols, const std::vector<Image>& images,
-                           const ProtocolOptions& options) {
-  FilterScores scores{.name = kBestKeys, .ssim = {}, .keys_a = {}};
+FilterScores ScoreBest(const FilterFamily& family, const std::vector<Protocol>& protocols,
+                       const std::vector<Image>& images, const ProtocolOptions& options) {
+  FilterScores scores{.name = family.name, .ssim = {}, .family = &family, .parameters = {}};
   for (const Protocol& protocol : protocols) {
-    const Maximum best = GoldenSection(
-        [&](double a) { return ProtocolScore(KeysFilter(a), protocol, images, options); },
-        kBestKeysLow, kBestKeysHigh, kBestKeysWidth);
+    const Maximum best = family.Best([&](double parameter) {
+      return ProtocolScore(family.make(parameter), protocol, images, options);
+    });
     scores.ssim.push_back(best.value);
-    scores.keys_a.push_back(best.at);
+    scores.parameters.push_back(best.at);
   }
   return scores;
 }
@@ -53,10 +60,11 @@ double ScoreFilterWarps(const std::vector<Protocol>& protocols, const ProtocolOp
   return warps;
 }
 
-double ScoreBestKeysWarps(const std::vector<Protocol>& protocols, const ProtocolOptions& options,
-                          std::size_t images) {
+double ScoreNamedWarps(const std::string& name, const std::vector<Protocol>& protocols,
+                       const ProtocolOptions& options, std::size_t images) {
+  const FilterFamily* family = FindFamily(name);
   return ScoreFilterWarps(protocols, options, images) *
-         GoldenSectionEvaluations(kBestKeysLow, kBestKeysHigh, kBestKeysWidth);
+         (family != nullptr ? family->Evaluations() : 1);
 }
 
 ScoreTarget ParseScoreTarget(const std::string& text) {
@@ -72,7 +80,9 @@ ScoreTarget ParseScoreTarget(const std::string& text) {
   };
   ScoreTarget target{
       .against = fields[0], .margin = number(fields[1]), .offsets = {}, .max_warps = 0};
-  if (fields.size() > 2) {
+  if (fields.size() == 3 && fields[2] == "mean") {
+    target.mean = true;
+  } else if (fields.size() > 2) {
     target.offsets = fields[2];
     if (target.offsets != Name(Offsets::kHalf) && target.offsets != Name(Offsets::kRandom) &&
         target.offsets != Name(Offsets::kPan)) {
@@ -94,14 +104,20 @@ std::vector<std::string> MissedProtocols(const ScoreTarget& target, const Filter
         "the target names '{}', which is not among the filters to compare with.", target.against));
   }
   std::vector<std::string> missed;
+  const auto require = [&](const std::string& name, double gain) {
+    if (gain > target.margin) return;
+    missed.push_back(fmt::format("{}: {:+.5f} SSIM over {}, more than {:.5f} is wanted.", name,
+                                 gain, target.against, target.margin));
+  };
+  if (target.mean) {
+    require("mean", judged.Mean() - other->Mean());
+    return missed;
+  }
   for (std::size_t i = 0; i < protocols.size(); ++i) {
     const Protocol& protocol = protocols[i];
     if (!target.offsets.empty() && target.offsets != Name(protocol.offsets)) continue;
     if (target.max_warps > 0 && protocol.warps > target.max_warps) continue;
-    const double gain = judged.ssim[i] - other->ssim[i];
-    if (gain > target.margin) continue;
-    missed.push_back(fmt::format("{}: {:+.5f} SSIM over {}, more than {:.5f} is wanted.",
-                                 Name(protocol), gain, target.against, target.margin));
+    require(Name(protocol), judged.ssim[i] - other->ssim[i]);
   }
   return missed;
 }

@@ -77,9 +77,7 @@ void CheckArguments(const PipelineArguments& arguments) {
     throw Error("the filter of the history is not clear; expected --lut FILE or --filter NAME");
   }
   if (!arguments.filter.empty() && !NamedWarp(arguments.filter)) {
-    throw Error(fmt::format(
-        "'{}' is not a filter; expected bilinear, catmull-rom or keys:A with A in [-1, 0]",
-        arguments.filter));
+    throw Error(fmt::format("'{}' is not a filter; expected {}", arguments.filter, WarpNames()));
   }
   // What holds for every clip; RunMode's own check is for the clip in hand.
   ModeRunOptions options;

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "tools/protocol_filter.h"
+
 namespace warplut {
 
 void AddTableOptions(CLI::App& command, PipelineArguments* arguments) {
@@ -17,7 +19,7 @@ void AddTableOptions(CLI::App& command, PipelineArguments* arguments) {
 
 void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments) {
   PipelineArguments& a = *arguments;
-  command.add_option("--filter", a.filter, "In place of a LUT: bilinear, catmull-rom or keys:A");
+  command.add_option("--filter", a.filter, "In place of a LUT: " + WarpNames());
   command.add_option("--params", a.params, "Calibrated parameters (default: the built-in ones)");
   command.add_option("--frames", a.frames, "A:B, the first and the last frame (default: all)");
   CLI::Option* generated =
@@ -35,6 +37,13 @@ void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments) {
       ->check(CLI::IsMember(HistoryFormatNames()));
   command.add_flag("--texels", a.texels,
                    "Render by taking texels of the reference, in the order of the jitter");
+}
+
+CLI::Option* AddSettledOption(CLI::App& command, int* settled) {
+  return command
+      .add_option("--settled", *settled,
+                  "Print the means without the first so many judged frames, too")
+      ->check(CLI::Range(1, 1 << 20));
 }
 
 void Warn(const std::string& sentence) { fmt::print(stderr, "warplut: warning: {}.\n", sentence); }

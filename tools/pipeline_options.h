@@ -16,6 +16,9 @@ void AddTableOptions(CLI::App& command, PipelineArguments* arguments);
 // Adds --params, --filter, --frames, --generated, --alpha, --motion-filter, --history and --texels.
 void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments);
 
+// Adds --settled and returns it.
+CLI::Option* AddSettledOption(CLI::App& command, int* settled);
+
 // Prints a sentence on standard error, as a warning.
 void Warn(const std::string& sentence);
 

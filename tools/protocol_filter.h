@@ -1,4 +1,4 @@
-// The runtime's filters, as the protocols take them.
+// The filters that the protocols judge: the runtime's, and slow ones to compare with.
 #pragma once
 
 #include <functional>
@@ -17,16 +17,24 @@ using MotionWarp = std::function<void(const ImageView& history, const MotionView
 // A filter that warps kR32F images with `warp` and the same motion everywhere.
 ProtocolFilter UniformFilter(const std::string& name, const MotionWarp& warp);
 
-// A filter that warps with the runtime's Warp in float, with these options (valid; a table outlives the filter).
+// A filter that warps with the runtime's Warp in float, with these options (valid; a table outlives
+// the filter). Where they have a prefilter, each warp runs it on its history first.
 ProtocolFilter RuntimeFilter(const std::string& name, const WarpOptions& options);
 
-// The options of a filter named on a command line: "bilinear", "catmull-rom" or "keys:A" with A in [-1, 0]; nothing else has any.
+// The options of a filter named on a command line, one of WarpNames(); nothing else has any.
 std::optional<WarpOptions> NamedWarp(const std::string& name);
 
-// NamedWarp as a protocol takes it. An Error names what else was found.
+// What NamedWarp takes, for help and errors. A, K: decimal numbers or fractions such as 1/84.
+std::string WarpNames();
+
+// NamedWarp, or one of the six-tap filters of tools/six_taps.h ("kaiser6:B", "lanczos3"), as a
+// protocol takes it. An Error names what else was found.
 ProtocolFilter NamedFilter(const std::string& name);
 
 // "keys:-0.5800"
 std::string KeysName(double a);
+
+// "spline:0.0119"
+std::string SplineName(double k);
 
 }  // namespace warplut

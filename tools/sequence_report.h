@@ -10,19 +10,21 @@
 
 namespace warplut {
 
-// One sequence, every method on it in the same order.
+// One sequence, every method on it in the same order; at least one method.
 struct SequenceReport {
   std::string sequence;
   std::vector<SequenceScores> methods;
 };
 
-// Rows: methods. Columns: PSNR (RGB), SSIM (luma), temporal error, milliseconds per frame that the runtime made.
+// Rows: methods. Columns: PSNR (RGB), SSIM (luma), temporal error; the same settled, where all methods have
+// that; milliseconds per frame that the runtime made.
 TextTable MethodTable(const SequenceReport& report);
 
-// Rows: judged frames and their mean.
+// Rows: judged frames, their mean, and the settled mean if there is one.
 TextTable FrameTable(const SequenceScores& scores);
 
-// The means over sequences, each with the same weight, under the name "mean". At least one report.
+// The means over sequences, each with the same weight, under the name "mean", settled ones too. At least
+// one report; all have settled scores, without as many frames, or none.
 SequenceReport MeanReport(const std::vector<SequenceReport>& reports);
 
 nlohmann::ordered_json ToJson(const SequenceReport& report);

@@ -47,8 +47,8 @@ Image JudgedImage(const ImageView& image, ColorEncoding encoding) {
   return judged;
 }
 
-SequenceJudge::SequenceJudge(const Clip& truth, const MethodInfo& method, int border)
-    : truth_(truth), method_(method), border_(border) {
+SequenceJudge::SequenceJudge(const Clip& truth, const MethodInfo& method, int border, int settled)
+    : truth_(truth), method_(method), border_(border), settled_(static_cast<std::size_t>(settled)) {
   scores_.method = method.name;
 }
 
@@ -64,6 +64,7 @@ void SequenceJudge::Add(const ShownFrame& shown) {
         method_.name, image.width, image.height, truth_.name, reference.width, reference.height));
   }
   const bool judged = IsJudged(method_, shown);
+  const bool settled = scores_.frames.size() >= settled_;
   if (judged) {
     scores_.frames.push_back(
         CompareImages(fmt::format("{:04}", truth.number), image, reference, border_));
@@ -77,6 +78,7 @@ void SequenceJudge::Add(const ShownFrame& shown) {
     sum = TemporalError(error, ReferenceGeometry(truth), previous_error_, ReferenceGeometry(before),
                         border_);
     temporal_ += sum;
+    if (settled) settled_temporal_ += sum;
   }
   if (judged) scores_.temporal.push_back(sum.Rms());
   previous_ = shown.frame;
@@ -89,9 +91,21 @@ SequenceScores SequenceJudge::Finish() const {
         "the method {} showed no frame of '{}' that it is judged by and that has a reference",
         method_.name, truth_.name));
   }
+  if (settled_ >= scores_.frames.size()) {
+    throw Error(fmt::format(
+        "the settled mean leaves out {} frames and the method {} is judged by {} of '{}'; expected "
+        "at least one more",
+        settled_, method_.name, scores_.frames.size(), truth_.name));
+  }
   SequenceScores scores = scores_;
   scores.mean = MeanScore(scores.frames);
   scores.temporal_error = temporal_.Rms();
+  if (settled_ > 0) {
+    const auto first = scores.frames.begin() + static_cast<std::ptrdiff_t>(settled_);
+    scores.settled = {.left_out = static_cast<int>(settled_),
+                      .mean = MeanScore({first, scores.frames.end()}),
+                      .temporal_error = settled_temporal_.Rms()};
+  }
   scores.milliseconds = MeanMilliseconds(seconds_);
   return scores;
 }

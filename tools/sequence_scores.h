@@ -1,6 +1,7 @@
 // What a method shows, against the reference of the sequence.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,14 @@ inline constexpr int kScoreBorder = 5;
 // The streams that judging needs: the output grid's.
 inline constexpr Streams kTruthStreams = Streams::kOutputGrid;
 
+// Means without the first judged frames, in which a history is still made.
+struct SettledScores {
+  int left_out = 0;  // how many
+  FrameScore mean;
+  double temporal_error =
+      0;  // RMS over the pairs whose later frame comes after those; NaN if there is none
+};
+
 // Judged frames, named by their number; their means; and what the runtime took.
 struct SequenceScores {
   std::string method;
@@ -25,6 +34,7 @@ struct SequenceScores {
   double temporal_error = 0;  // RMS over all pairs of frames; NaN if there is none
   double milliseconds =
       0;  // mean of the frames that the runtime made, the first left out if there are more
+  std::optional<SettledScores> settled;  // if it was asked for
 };
 
 FrameGeometry ReferenceGeometry(const ClipFrame& frame);
@@ -39,20 +49,23 @@ class SequenceJudge {
  public:
   // `truth`: a clip with kTruthStreams whose motion is from frame to frame (every = 1); it outlives the judge. Without depth and motion of
   // the references there is no temporal error. `border`: pixels at each edge that do not count.
-  SequenceJudge(const Clip& truth, const MethodInfo& method, int border = kScoreBorder);
+  // `settled`: how many judged frames SettledScores leave out, at least 0; 0: there are none.
+  SequenceJudge(const Clip& truth, const MethodInfo& method, int border = kScoreBorder,
+                int settled = 0);
 
   // Error if the image is not on the output grid or too small (CompareImages).
   void Add(const ShownFrame& shown);
 
-  // Error if no frame could be judged.
+  // Error if no frame could be judged, or none that is settled.
   SequenceScores Finish() const;
 
  private:
   const Clip& truth_;
   const MethodInfo& method_;
   int border_;
+  std::size_t settled_;
   SequenceScores scores_;
-  TemporalErrorSum temporal_;
+  TemporalErrorSum temporal_, settled_temporal_;
   int previous_ = -1;     // index of the frame before that was shown
   Image previous_error_;  // its error
   std::vector<double> seconds_;

@@ -3,6 +3,7 @@
 #include "tools/warp_protocol.h"
 #include "train/crops.h"
 #include "train/keys_search.h"
+#include "train/prefilter_map.h"
 #include "train/random.h"
 #include "train/sr_objective.h"
 
@@ -11,9 +12,9 @@ namespace {
 
 constexpr int kPansPerCrop = 4;
 
-CrossScore Judge(const Objective& objective, const CanonicalWeights<double>& weights) {
+CrossScore Judge(const Objective& objective, const Resampler& resampler) {
   CrossScore score;
-  const std::vector<double> losses = objective.Losses(weights);
+  const std::vector<double> losses = objective.Losses(resampler);
   score.loss = objective.Value(losses);
   for (const double loss : losses) score.ssim.push_back(1 - loss);
   return score;
@@ -21,14 +22,15 @@ CrossScore Judge(const Objective& objective, const CanonicalWeights<double>& wei
 
 }  // namespace
 
-CanonicalWeights<double> CanonicalTableWeights(const BakedTable& table) {
+Resampler TableResampler(const BakedTable& table) {
   const std::vector<IntegerRow> rows = TableIntegers(table.view(), "table");
-  CanonicalWeights<double> weights{};
+  Resampler resampler;
+  resampler.prefilter = ToReal(table.view().prefilter);
   for (int c = 0; c < kCanonicalNodes; ++c) {
     const auto [ix, jy] = CanonicalPosition(c);
-    weights[c] = RealRow(rows[RowIndex(ix, jy)], table.format());
+    resampler.weights[c] = RealRow(rows[RowIndex(ix, jy)], table.format());
   }
-  return weights;
+  return resampler;
 }
 
 CrossColumn JudgeAtScale(const std::vector<CrossFilter>& filters, const std::vector<Image>& luma,
@@ -43,7 +45,7 @@ CrossColumn JudgeAtScale(const std::vector<CrossFilter>& filters, const std::vec
   column.keys_a = FitKeys(objective);
   column.keys = Judge(objective, KeysCanonicalWeights(column.keys_a));
   for (const CrossFilter& filter : filters) {
-    column.scores.push_back(Judge(objective, filter.weights));
+    column.scores.push_back(Judge(objective, filter.resampler));
   }
   return column;
 }

@@ -8,18 +8,18 @@
 
 #include "datasets/image.h"
 #include "luts/baked_table.h"
-#include "train/canonical_nodes.h"
+#include "train/resampler.h"
 #include "train/train_options.h"
 
 namespace warplut {
 
-// The weights of a checked table at the canonical nodes. A table that lacks the symmetries of the
-// square is judged as if it had those of its first octant.
-CanonicalWeights<double> CanonicalTableWeights(const BakedTable& table);
+// The weights of a checked table at the canonical nodes, and its prefilter. A table that lacks the
+// symmetries of the square is judged as if it had those of its first octant.
+Resampler TableResampler(const BakedTable& table);
 
 struct CrossFilter {
   std::string name;
-  CanonicalWeights<double> weights{};
+  Resampler resampler;
 };
 
 // One filter at one factor.

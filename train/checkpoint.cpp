@@ -12,11 +12,12 @@ namespace {
 constexpr const char* kFormat = "warplut-checkpoint";
 constexpr int kVersion = 1;
 
-// Length 0 or kMlpParameters.
-std::vector<double> Numbers(JsonFields& fields, const char* name, bool may_be_empty = false) {
+// `length` of them, or 0.
+std::vector<double> Numbers(JsonFields& fields, const char* name, std::size_t length,
+                            bool may_be_empty = false) {
   const nlohmann::json& array = fields.Take(name);
   const JsonPlace place = fields.At(name);
-  if (!(may_be_empty && array.is_array() && array.empty())) place.Array(array, kMlpParameters);
+  if (!(may_be_empty && array.is_array() && array.empty())) place.Array(array, length);
   std::vector<double> numbers;
   for (std::size_t i = 0; i < array.size(); ++i) {
     numbers.push_back(place.Element(i).Number(array[i]));
@@ -47,7 +48,8 @@ void WriteCheckpoint(const std::filesystem::path& path, const Checkpoint& checkp
   WriteFile(path, json.dump(1) + "\n");
 }
 
-Checkpoint ReadCheckpoint(const std::filesystem::path& path, const std::string& made_for) {
+Checkpoint ReadCheckpoint(const std::filesystem::path& path, const std::string& made_for,
+                          std::size_t parameters) {
   const nlohmann::json json = ReadJson(path);
   JsonFields fields(json, JsonPlace(path.string(), ""));
   CheckHeader(fields, kFormat, kVersion);
@@ -61,12 +63,12 @@ Checkpoint ReadCheckpoint(const std::filesystem::path& path, const std::string& 
   checkpoint.stage = fields.Integer("stage");
   checkpoint.seconds = fields.Number("seconds");
   checkpoint.evaluations = fields.Integer("evaluations");
-  checkpoint.parameters = Numbers(fields, "parameters");
-  checkpoint.best_parameters = Numbers(fields, "best_parameters");
+  checkpoint.parameters = Numbers(fields, "parameters", parameters);
+  checkpoint.best_parameters = Numbers(fields, "best_parameters", parameters);
   checkpoint.best_validation = fields.Number("best_validation");
   checkpoint.adam.step = fields.Integer("adam_step");
-  checkpoint.adam.mean = Numbers(fields, "adam_mean", true);
-  checkpoint.adam.variance = Numbers(fields, "adam_variance", true);
+  checkpoint.adam.mean = Numbers(fields, "adam_mean", parameters, true);
+  checkpoint.adam.variance = Numbers(fields, "adam_variance", parameters, true);
   const nlohmann::json& loss = fields.Take("loss");
   const JsonPlace place = fields.At("loss");
   place.Array(loss);

@@ -7,6 +7,7 @@
 #include "luts/filters.h"
 #include "luts/gain.h"
 #include "train/keys_search.h"
+#include "train/spline_family.h"
 #include "train/train_options.h"
 
 namespace warplut {
@@ -14,22 +15,84 @@ namespace {
 
 constexpr int kHalvings = 10;
 
-// MaxGain at this share of the residual.
-double GainAtShare(const Weights<double>& base, const Weights<double>& weights, double share) {
-  Weights<double> mixed{};
-  for (int k = 0; k < kWeights; ++k) mixed[k] = base[k] + share * (weights[k] - base[k]);
-  return MaxGain(mixed).gain;
+// Of one node, between its base and its weights.
+class NodeMix {
+ public:
+  NodeMix(const Weights<double>& base, const Weights<double>& weights, const Prefilter& prefilter)
+      : base_(base), weights_(weights), prefilter_(prefilter) {}
+
+  double GainAtShare(double share) const {
+    Weights<double> mixed{};
+    for (int k = 0; k < kWeights; ++k) mixed[k] = base_[k] + share * (weights_[k] - base_[k]);
+    return MaxGain(mixed, prefilter_).gain;
+  }
+
+  // The largest share that keeps the limit, from below. The line from the base's gain at 0 to `gain`
+  // at 1 lies above the gain: the search begins where it meets the limit.
+  double LargestShare(double base_gain, double gain, double limit) const {
+    double low = (limit - base_gain) / (gain - base_gain), high = 1;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (low + high) / 2;
+      (GainAtShare(middle) <= limit ? low : high) = middle;
+    }
+    return low;
+  }
+
+ private:
+  const Weights<double>& base_;
+  const Weights<double>& weights_;
+  const Prefilter& prefilter_;
+};
+
+void ScaleLastLayer(double share, std::vector<double>& parameters) {
+  std::for_each(parameters.begin() + MlpLayerOffset(kMlpLayers - 1),
+                parameters.begin() + kMlpParameters, [&](double& p) { p *= share; });
 }
 
-// The largest share that keeps the limit, from below. The line between gain 1 at 0 and `gain` at 1 lies above the gain: the search
-// begins where it meets the limit.
-double LargestShare(const Weights<double>& base, const Weights<double>& weights, double gain,
-                    double limit) {
-  double low = (limit - 1) / (gain - 1), high = 1;
+// Weights alone are mixed, each node for itself.
+double LimitWeights(double limit, ResamplerModel& model, std::vector<double>& parameters) {
+  const Resampler resampler = model.ForwardStored(parameters.data());
+  const Prefilter prefilter = Rounded(resampler.prefilter);
+  const bool with_prefilter = HasPrefilter(prefilter);
+  const CanonicalWeights<double> base = with_prefilter
+                                            ? SplineResampler(resampler.prefilter).weights
+                                            : KeysCanonicalWeights(kCatmullRomA);
+  double share = 1;
+  for (int c = 0; c < kCanonicalNodes; ++c) {
+    const double gain = MaxGain(resampler.weights[c], prefilter).gain;
+    if (gain <= limit) continue;
+    const NodeMix mix(base[c], resampler.weights[c], prefilter);
+    const double base_gain = with_prefilter ? mix.GainAtShare(0) : 1;
+    share = std::min(share, mix.LargestShare(base_gain, gain, limit));
+  }
+  if (share < 1) ScaleLastLayer(share, parameters);
+  return share;
+}
+
+double LimitFir(double limit, ResamplerModel& model, std::vector<double>& parameters) {
+  const RealPrefilter trained = model.map().At(parameters.data() + kMlpParameters);
+  const std::vector<double> start =
+      model.map().NumbersOf(FirPrefilter(trained.side, trained.reach));
+  const auto mixed = [&](double share) {
+    std::vector<double> result = parameters;
+    ScaleLastLayer(share, result);
+    for (int j = 1; j <= trained.reach; ++j) {
+      double& tap = result[static_cast<std::size_t>(kMlpParameters + j)];
+      tap = std::lerp(start[static_cast<std::size_t>(j)], tap, share);
+    }
+    return result;
+  };
+  const auto keeps = [&](const std::vector<double>& candidate) {
+    const Resampler& resampler = model.ForwardStored(candidate.data());
+    return IsValid(Rounded(resampler.prefilter)) && LargestNodeGain(resampler) <= limit;
+  };
+  if (keeps(parameters)) return 1;
+  double low = 0, high = 1;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
-    (GainAtShare(base, weights, middle) <= limit ? low : high) = middle;
+    (keeps(mixed(middle)) ? low : high) = middle;
   }
+  parameters = mixed(low);
   return low;
 }
 
@@ -39,21 +102,9 @@ double LargestGain(double gain_bound) {
   return std::max(std::pow(gain_bound, 1 / (1 - kGrowthReserve)), 1 + kUnitGainTolerance);
 }
 
-double LimitGain(double limit, HeadBatch& head, std::vector<double>& parameters) {
-  const CanonicalWeights<double> base = KeysCanonicalWeights(kCatmullRomA);
-  const CanonicalWeights<double>& weights = head.Forward(parameters.data());
-  double share = 1;
-  for (int c = 0; c < kCanonicalNodes; ++c) {
-    const double gain = MaxGain(weights[c]).gain;
-    if (gain > limit) {
-      share = std::min(share, LargestShare(base[c], weights[c], gain, limit));
-    }
-  }
-  if (share < 1) {
-    const auto last = parameters.begin() + MlpLayerOffset(kMlpLayers - 1);
-    std::for_each(last, parameters.end(), [&](double& p) { p *= share; });
-  }
-  return share;
+double LimitGain(double limit, ResamplerModel& model, std::vector<double>& parameters) {
+  return model.map().kind() == PrefilterKind::kFir ? LimitFir(limit, model, parameters)
+                                                   : LimitWeights(limit, model, parameters);
 }
 
 }  // namespace warplut

@@ -27,6 +27,23 @@ HeadBatch::HeadBatch() : input_(2, kPoints) {
   }
 }
 
+void HeadBatch::SetSide(double side) {
+  if (side == side_) return;
+  side_ = side;
+  for (int c = 0; c < kCanonicalNodes; ++c) {
+    const auto [i, j] = CanonicalPosition(c);
+    heads_[c] = HeadAt<double>(NodeOffset(i), NodeOffset(j), side);
+  }
+}
+
+double HeadBatch::SideGradient(const CanonicalWeights<double>& weight_gradient) const {
+  double sum = 0;
+  for (int c = 0; c < kCanonicalNodes; ++c) {
+    for (int k = 0; k < kWeights; ++k) sum += weight_gradient[c][k] * heads_[c].base_slope()[k];
+  }
+  return sum;
+}
+
 const CanonicalWeights<double>& HeadBatch::Forward(const double* parameters) {
   const Matrix* in = &input_;
   for (int l = 0; l < kMlpLayers; ++l) {

@@ -15,6 +15,9 @@ class HeadBatch {
  public:
   HeadBatch();
 
+  // With a prefilter of this side from now on.
+  void SetSide(double side);
+
   // The weights of every canonical node for these parameters (kMlpParameters values). Equal to
   // HeadWeights to rounding: 1e-12 for weights of order 1.
   const CanonicalWeights<double>& Forward(const double* parameters);
@@ -23,12 +26,16 @@ class HeadBatch {
   void Backward(const double* parameters, const CanonicalWeights<double>& weight_gradient,
                 double* parameter_gradient);
 
+  // With a prefilter: d(loss)/d(side) through the weights, given d(loss)/d(weights).
+  double SideGradient(const CanonicalWeights<double>& weight_gradient) const;
+
  private:
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor>;
 
   Matrix input_;                               // 2 x points; the points are the 33 x 33 nodes
   std::array<Matrix, kMlpLayers> activation_;  // output of each layer, one column per point
   std::array<Matrix, kMlpLayers> delta_;
+  double side_ = 0;                    // 0: no prefilter
   std::vector<HeadAt<double>> heads_;  // at the canonical nodes
   CanonicalWeights<double> weights_{};
 };

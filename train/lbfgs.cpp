@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "luts/mlp.h"
 #include "train/minimize.h"
 
 namespace warplut {
@@ -10,16 +9,18 @@ namespace {
 
 class CostFunction final : public ceres::FirstOrderFunction {
  public:
-  explicit CostFunction(ParameterFunction& objective) : objective_(objective) {}
+  CostFunction(ParameterFunction& objective, std::size_t parameters)
+      : objective_(objective), parameters_(static_cast<int>(parameters)) {}
 
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
     *cost = objective_.Evaluate(parameters, gradient);
     return std::isfinite(*cost);
   }
-  int NumParameters() const override { return kMlpParameters; }
+  int NumParameters() const override { return parameters_; }
 
  private:
   ParameterFunction& objective_;
+  int parameters_;
 };
 
 class IterationCallback final : public ceres::IterationCallback {
@@ -43,7 +44,7 @@ class IterationCallback final : public ceres::IterationCallback {
 
 void MinimizeLbfgs(ParameterFunction& objective, int iterations, const MinimizeCallback& callback,
                    std::vector<double>& parameters) {
-  ceres::GradientProblem problem(new CostFunction(objective));
+  ceres::GradientProblem problem(new CostFunction(objective, parameters.size()));
   IterationCallback iteration_callback(callback, parameters);
   ceres::GradientProblemSolver::Options options;
   options.line_search_direction_type = ceres::LBFGS;

@@ -8,11 +8,11 @@ namespace warplut {
 
 double MlpObjective::Evaluate(const double* parameters, double* gradient) {
   ++evaluations_;
-  const CanonicalWeights<double>& weights = head_.Forward(parameters);
-  CanonicalWeights<double> weight_gradient{};
-  double value = objective_.Evaluate(weights, gradient != nullptr ? &weight_gradient : nullptr);
-  value += penalty_factor_ * penalty_.AddGradient(weights, penalty_factor_, weight_gradient);
-  if (gradient != nullptr) head_.Backward(parameters, weight_gradient, gradient);
+  const Resampler& resampler = model_.Forward(parameters);
+  Resampler of_resampler;
+  double value = objective_.Evaluate(resampler, gradient != nullptr ? &of_resampler : nullptr);
+  value += penalty_factor_ * penalty_.AddGradient(resampler, penalty_factor_, of_resampler);
+  if (gradient != nullptr) model_.Backward(parameters, of_resampler, gradient);
   return value;
 }
 

@@ -1,5 +1,5 @@
-// What the optimizers minimise: an objective and the bound on gain, as a function of the MLP's
-// parameters.
+// What the optimizers minimise: an objective and the bound on gain, as a function of the parameters
+// of a resampler (train/resampler_model.h).
 //
 //   J(theta) = L(w(theta)) + f P(w(theta)), f the factor of the penalty
 #pragma once
@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "train/gain_penalty.h"
-#include "train/head_batch.h"
 #include "train/objective.h"
 #include "train/parameter_function.h"
+#include "train/resampler_model.h"
 
 namespace warplut {
 
@@ -22,8 +22,12 @@ inline constexpr double kGainPenaltyFactor = 20.0;
 class MlpObjective final : public ParameterFunction {
  public:
   // `objective` must outlive this.
-  MlpObjective(const Objective& objective, double gain_bound, double penalty_factor)
-      : objective_(objective), penalty_(gain_bound), penalty_factor_(penalty_factor) {}
+  MlpObjective(const Objective& objective, double gain_bound, double penalty_factor,
+               const PrefilterMap& prefilter = {})
+      : objective_(objective),
+        penalty_(gain_bound),
+        penalty_factor_(penalty_factor),
+        model_(prefilter) {}
 
   // J(parameters). Counts evaluations.
   double Evaluate(const double* parameters, double* gradient) override;
@@ -34,11 +38,11 @@ class MlpObjective final : public ParameterFunction {
   const Objective& objective_;
   GainPenalty penalty_;
   double penalty_factor_;
-  HeadBatch head_;
+  ResamplerModel model_;
   std::int64_t evaluations_ = 0;
 };
 
-// Random starting parameters: layers uniform with variance 2 / (in + out) (Glorot and Bengio 2010),
+// Random starting parameters of the MLP: layers uniform with variance 2 / (in + out) (Glorot and Bengio 2010),
 // the last one scaled by kLastLayerScale so that the start lies near the head's base kernel; biases
 // 0.
 std::vector<double> RandomParameters(std::uint64_t seed);

@@ -150,11 +150,13 @@ class ModeRun {
 
   void Render(int index, Display& display) {
     const ClipFrame& frame = clip_.frames[static_cast<std::size_t>(index)];
+    const auto id = static_cast<std::uint64_t>(index) + 1;
     if (!super_resolution_) {
       const RenderedFrame rendered = frame.Rendered();
       display.frame = TakesReferences(clip_) ? frame.Displayed()
                                              : DisplayedFrame{rendered.color, rendered.depth,
                                                               rendered.motion, rendered.cut};
+      display.frame.id = id;
       return;
     }
     RenderedFrame rendered = frame.Rendered();
@@ -165,7 +167,8 @@ class ModeRun {
     const Stopwatch watch;
     super_resolution_->Process(rendered, display.color.view());
     display.tiles = super_resolution_->Tiles();
-    display.frame = {.color = display.color.view(), .depth = {}, .motion = {}, .cut = frame.cut};
+    display.frame = {
+        .color = display.color.view(), .depth = {}, .motion = {}, .cut = frame.cut, .id = id};
     if (!Generates(method_)) {
       display.seconds = watch.Seconds();
       return;

@@ -4,10 +4,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include "luts/filters.h"
-#include "train/keys_search.h"
 
 namespace warplut {
 namespace {
@@ -49,32 +47,35 @@ Rollout& Objective::AddRollout(std::size_t crop, std::size_t first, std::size_t 
   return rollout;
 }
 
-void Objective::SetBaselines(std::vector<double> baselines, double keys_a) {
-  keys_a_ = keys_a;
+void Objective::SetBaselines(std::vector<double> baselines, const Resampler& yardstick) {
+  yardstick_ = yardstick;
   baselines_ = std::move(baselines);
   for (double& baseline : baselines_) baseline = std::max(baseline, kLeastBaseline);
 }
 
 void Objective::ScaleBaselines(const Objective& like) {
-  const CanonicalWeights<double> keys = KeysCanonicalWeights(like.keys_a_);
-  const std::vector<double> here = Losses(keys);
-  const std::vector<double> there = like.Losses(keys);
+  const std::vector<double> here = Losses(like.yardstick_);
+  const std::vector<double> there = like.Losses(like.yardstick_);
   std::vector<double> baselines(like.baselines_.begin(),
                                 like.baselines_.begin() + protocols_.size());
   for (std::size_t i = 0; i < baselines.size(); ++i) {
     baselines[i] *= here[i] / std::max(there[i], kLeastBaseline);
   }
-  SetBaselines(std::move(baselines), like.keys_a_);
+  SetBaselines(std::move(baselines), like.yardstick_);
 }
 
-std::vector<double> Objective::Losses(const CanonicalWeights<double>& weights) const {
+std::vector<double> Objective::Losses(const Resampler& resampler) const {
   std::vector<std::vector<double>> losses(rollouts_.size());
   Workspaces workspaces(crops_[0].width(), crops_[0].height());
   tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
     const Rollout& rollout = rollouts_[r].rollout;
     losses[r].resize(rollout.horizons.size());
-    workspaces.local().Forward(rollout, weights, losses[r]);
+    workspaces.local().Losses(rollout, resampler, losses[r]);
   });
+  return MeanLosses(losses);
+}
+
+std::vector<double> Objective::MeanLosses(const std::vector<std::vector<double>>& losses) const {
   std::vector<double> means(protocols_.size(), 0.0);
   for (std::size_t r = 0; r < rollouts_.size(); ++r) {
     for (std::size_t h = 0; h < losses[r].size(); ++h)
@@ -118,29 +119,38 @@ double Objective::Value(std::span<const double> losses) const {
   return Combine(losses, factors);
 }
 
-double Objective::Evaluate(const CanonicalWeights<double>& weights,
-                           CanonicalWeights<double>* gradient) const {
-  if (gradient == nullptr) return Value(Losses(weights));
-  std::vector<double> factors(protocols_.size());
-  const double value = Combine(Losses(weights), factors);
-  for (std::size_t i = 0; i < factors.size(); ++i) factors[i] /= rollouts_per_protocol_[i];
-
-  std::vector<CanonicalWeights<double>> gradients(rollouts_.size());
+double Objective::Evaluate(const Resampler& resampler, Resampler* gradient) const {
+  if (gradient == nullptr) return Value(Losses(resampler));
+  std::vector<std::vector<double>> losses(rollouts_.size());
+  std::vector<Resampler> gradients(rollouts_.size());
   Workspaces workspaces(crops_[0].width(), crops_[0].height());
+  // A rollout with one horizon needs no factor to be derived: it is run once.
+  const std::array<double, 1> one = {1.0};
   tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
     const Rollout& rollout = rollouts_[r].rollout;
-    const std::size_t first = rollouts_[r].first;
-    const std::size_t count = rollout.horizons.size();
     RolloutWorkspace& workspace = workspaces.local();
-    std::vector<double> losses(count);
-    workspace.Forward(rollout, weights, losses);
-    workspace.Backward(rollout, std::span(factors).subspan(first, count), weights, gradients[r]);
+    losses[r].resize(rollout.horizons.size());
+    if (losses[r].size() > 1) {
+      workspace.Losses(rollout, resampler, losses[r]);
+      return;
+    }
+    workspace.Forward(rollout, resampler, losses[r]);
+    workspace.Backward(rollout, one, resampler, gradients[r]);
+  });
+  std::vector<double> factors(protocols_.size());
+  const double value = Combine(MeanLosses(losses), factors);
+  for (std::size_t i = 0; i < factors.size(); ++i) factors[i] /= rollouts_per_protocol_[i];
+  tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
+    const auto& [rollout, crop, first] = rollouts_[r];
+    if (losses[r].size() == 1) return;
+    RolloutWorkspace& workspace = workspaces.local();
+    workspace.Forward(rollout, resampler, losses[r]);
+    workspace.Backward(rollout, std::span(factors).subspan(first, losses[r].size()), resampler,
+                       gradients[r]);
   });
   *gradient = {};
-  for (const CanonicalWeights<double>& part : gradients) {
-    for (int c = 0; c < kCanonicalNodes; ++c) {
-      for (int k = 0; k < kWeights; ++k) (*gradient)[c][k] += part[c][k];
-    }
+  for (std::size_t r = 0; r < rollouts_.size(); ++r) {
+    gradient->Add(losses[r].size() == 1 ? factors[rollouts_[r].first] : 1, gradients[r]);
   }
   return value;
 }

@@ -1,7 +1,7 @@
-// What a training minimises: the losses of many rollouts, compared with what Keys kernels lose.
+// What a training minimises: the losses of many rollouts, compared with what simple kernels lose.
 //
 // A protocol i is a kind of offsets (half, random, pan) and a number of warps N; l_i(w) is the mean
-// of 1 - SSIM after N steps with the weights w, over crops and trajectories. With a baseline b_i
+// of 1 - SSIM after N steps with the resampler w, over crops and trajectories. With a baseline b_i
 // for each protocol and a share q_k for each kind k of them, the shares adding up to 1,
 //
 //   L(w) = sum over k of q_k M(k)
@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "luts/filters.h"
+#include "train/resampler.h"
 #include "train/rollout.h"
 
 namespace warplut {
@@ -39,15 +39,14 @@ class Objective {
   Objective& operator=(const Objective&) = delete;
   virtual ~Objective() = default;
 
-  // L(weights); with `gradient`, also writes dL/d(weights). Rollouts run in parallel and are added
-  // in a fixed order: the same bits for any number of threads.
-  double Evaluate(const CanonicalWeights<double>& weights,
-                  CanonicalWeights<double>* gradient = nullptr) const;
+  // L(resampler); with `gradient`, also writes dL/d(resampler). Rollouts run in parallel and are
+  // added in a fixed order: the same bits for any number of threads.
+  double Evaluate(const Resampler& resampler, Resampler* gradient = nullptr) const;
 
-  // l_i(weights), in the order of protocols().
-  std::vector<double> Losses(const CanonicalWeights<double>& weights) const;
+  // l_i(resampler), in the order of protocols().
+  std::vector<double> Losses(const Resampler& resampler) const;
 
-  // L of the losses of some weights.
+  // L of the losses of some resampler.
   double Value(std::span<const double> losses) const;
 
   const std::vector<Protocol>& protocols() const { return protocols_; }
@@ -76,13 +75,16 @@ class Objective {
   Rollout& AddRollout(std::size_t crop, std::size_t first, std::size_t count,
                       std::span<const Displacement> trajectory);
 
-  // `keys_a` is the Keys kernel that stands for the baselines where they are scaled.
-  void SetBaselines(std::vector<double> baselines, double keys_a = kCatmullRomA);
+  // `yardstick` stands for the baselines where they are scaled.
+  void SetBaselines(std::vector<double> baselines, const Resampler& yardstick = {});
   // The baselines of `like`, which begins with the same protocols, scaled protocol by protocol by
-  // what its Keys kernel loses here over what it loses there: none is searched.
+  // what its yardstick loses here over what it loses there: none is searched.
   void ScaleBaselines(const Objective& like);
 
  private:
+  // l_i of the losses of every rollout.
+  std::vector<double> MeanLosses(const std::vector<std::vector<double>>& losses) const;
+
   // L; factors[i] = dL/dl_i.
   double Combine(std::span<const double> losses, std::span<double> factors) const;
 
@@ -94,7 +96,7 @@ class Objective {
   std::vector<JudgedRollout> rollouts_;
   std::vector<double> rollouts_per_protocol_;
   std::vector<double> baselines_;
-  double keys_a_ = 0;
+  Resampler yardstick_;
 };
 
 }  // namespace warplut

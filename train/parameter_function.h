@@ -1,4 +1,4 @@
-// A function of the MLP's parameters that optimizers descend.
+// A function of parameters that optimizers descend.
 #pragma once
 
 namespace warplut {
@@ -7,7 +7,7 @@ class ParameterFunction {
  public:
   virtual ~ParameterFunction() = default;
 
-  // The value, and the gradient where `gradient` is not null; kMlpParameters values each.
+  // The value, and the gradient where `gradient` is not null; as many values each.
   virtual double Evaluate(const double* parameters, double* gradient) = 0;
 };
 

@@ -42,38 +42,57 @@ PlaneView InnerView(const BorderedPlane& plane) {
           plane.stride()};
 }
 
-void RolloutWorkspace::Reserve(std::size_t steps, bool with_samples) {
+void RolloutWorkspace::Reserve(std::size_t steps, bool with_samples, bool with_prefilter) {
   const BorderedPlane empty(gradient_.width(), gradient_.height());
-  if (planes_.size() < steps) planes_.resize(steps, empty);
-  if (with_samples && warped_.size() < steps) warped_.resize(steps, empty);
+  const auto reserve = [&](std::vector<BorderedPlane>& planes) {
+    if (planes.size() < steps) planes.resize(steps, empty);
+  };
+  reserve(planes_);
+  if (with_samples) reserve(warped_);
+  if (with_prefilter) reserve(coefficients_);
 }
 
-void RolloutWorkspace::Forward(const Rollout& rollout, const CanonicalWeights<double>& weights,
+void RolloutWorkspace::Losses(const Rollout& rollout, const Resampler& resampler,
+                              std::span<double> losses) {
+  Run(rollout, resampler, 2, losses);
+}
+
+void RolloutWorkspace::Forward(const Rollout& rollout, const Resampler& resampler,
                                std::span<double> losses) {
+  Run(rollout, resampler, rollout.steps.size(), losses);
+}
+
+void RolloutWorkspace::Run(const Rollout& rollout, const Resampler& resampler, std::size_t kept,
+                           std::span<double> losses) {
   const bool with_samples = !rollout.frames.empty();
-  Reserve(rollout.steps.size(), with_samples);
+  const bool with_prefilter = HasPrefilter(resampler.prefilter);
+  Reserve(kept, with_samples, with_prefilter);
+  if (with_prefilter) prefilter_.Set(resampler.prefilter);
   std::size_t h = 0;
   for (std::size_t i = 0; i < rollout.steps.size(); ++i) {
-    const BorderedPlane& in = i == 0 ? *rollout.start : planes_[i - 1];
-    const Stencil stencil = ToStencil(rollout.steps[i], weights);
+    const std::size_t at = i % kept;
+    const BorderedPlane& image = i == 0 ? *rollout.start : planes_[(i - 1) % kept];
+    if (with_prefilter) prefilter_.Apply(image, coefficients_[at]);
+    const BorderedPlane& in = with_prefilter ? coefficients_[at] : image;
+    const Stencil stencil = ToStencil(rollout.steps[i], resampler.weights);
     if (with_samples) {
-      ApplyStencil(stencil, in, warped_[i]);
+      ApplyStencil(stencil, in, warped_[at]);
       const FrameSamples& frame = rollout.frames[i];
-      frame.grid->Refresh(frame.values, warped_[i], planes_[i]);
-      FillBorder(planes_[i]);
+      frame.grid->Refresh(frame.values, warped_[at], planes_[at]);
+      FillBorder(planes_[at]);
     } else {
-      ApplyStencil(stencil, in, planes_[i]);
+      ApplyStencil(stencil, in, planes_[at]);
     }
     if (h < rollout.horizons.size() && static_cast<int>(i) + 1 == rollout.horizons[h]) {
-      losses[h++] = 1.0 - rollout.ssim->Mean(InnerView(planes_[i]));
+      losses[h++] = 1.0 - rollout.ssim->Mean(InnerView(planes_[at]));
     }
   }
 }
 
 void RolloutWorkspace::Backward(const Rollout& rollout, std::span<const double> factors,
-                                const CanonicalWeights<double>& weights,
-                                CanonicalWeights<double>& gradient) {
+                                const Resampler& resampler, Resampler& gradient) {
   const bool with_samples = !rollout.frames.empty();
+  const bool with_prefilter = HasPrefilter(resampler.prefilter);
   gradient_.Clear();
   std::size_t h = rollout.horizons.size();
   for (std::size_t i = rollout.steps.size(); i-- > 0;) {
@@ -84,12 +103,16 @@ void RolloutWorkspace::Backward(const Rollout& rollout, std::span<const double> 
     }
     if (with_samples) rollout.frames[i].grid->AdjointRefresh(gradient_);
     const RolloutStep& step = rollout.steps[i];
+    const BorderedPlane& image = i == 0 ? *rollout.start : planes_[i - 1];
     Weights<double> step_gradient{};
-    AdjointStencil(ToStencil(step, weights), i == 0 ? *rollout.start : planes_[i - 1],
-                   with_samples ? warped_[i] : planes_[i], gradient_, next_gradient_,
-                   step_gradient);
+    AdjointStencil(ToStencil(step, resampler.weights), with_prefilter ? coefficients_[i] : image,
+                   with_samples ? warped_[i] : planes_[i], gradient_, next_gradient_, step_gradient,
+                   with_prefilter ? Border::kMirrored : Border::kRepeated);
+    if (with_prefilter) {
+      prefilter_.Adjoint(image, coefficients_[i], next_gradient_, gradient.prefilter);
+    }
     std::swap(gradient_, next_gradient_);
-    Weights<double>& canonical = gradient[step.node.index];
+    Weights<double>& canonical = gradient.weights[step.node.index];
     for (int k = 0; k < kWeights; ++k) {
       canonical[MapWeight(step.node.symmetry, k)] += step_gradient[k];
     }

@@ -1,11 +1,16 @@
 // A rollout: one image warped repeatedly along a trajectory, with or without new samples after each
 // warp, judged by SSIM at each horizon, with the adjoint.
+//
+// With a prefilter each warp reads coefficients: image in [0, 1] -> prefilter, border mirrored ->
+// stencil -> clamp to [0, 1]. Without, it reads the image, whose edge pixels repeat.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "train/canonical_nodes.h"
+#include "train/plane_prefilter.h"
+#include "train/resampler.h"
 #include "train/sample_grid.h"
 #include "train/ssim.h"
 #include "train/stencil.h"
@@ -51,25 +56,32 @@ struct Rollout {
 class RolloutWorkspace {
  public:
   RolloutWorkspace(int width, int height)
-      : gradient_(width, height), next_gradient_(width, height) {}
+      : gradient_(width, height), next_gradient_(width, height), prefilter_(width, height) {}
+
+  // 1 - SSIM after horizons[h] steps, where Backward does not follow: as Forward has it.
+  void Losses(const Rollout& rollout, const Resampler& resampler, std::span<double> losses);
 
   // Each step warps the image and refreshes it with the step's samples, if it has any. losses[h]
   // receives 1 - SSIM after horizons[h] steps.
-  void Forward(const Rollout& rollout, const CanonicalWeights<double>& weights,
-               std::span<double> losses);
+  void Forward(const Rollout& rollout, const Resampler& resampler, std::span<double> losses);
 
   // After Forward with the same arguments: adds to `gradient` the derivative of the sum of
-  // factors[h] * losses[h] with respect to the weights.
-  void Backward(const Rollout& rollout, std::span<const double> factors,
-                const CanonicalWeights<double>& weights, CanonicalWeights<double>& gradient);
+  // factors[h] * losses[h] with respect to the weights and the values of the prefilter.
+  void Backward(const Rollout& rollout, std::span<const double> factors, const Resampler& resampler,
+                Resampler& gradient);
 
  private:
-  void Reserve(std::size_t steps, bool with_samples);
+  void Reserve(std::size_t steps, bool with_samples, bool with_prefilter);
+  // Keeps the images of the last `kept` steps, at step modulo kept.
+  void Run(const Rollout& rollout, const Resampler& resampler, std::size_t kept,
+           std::span<double> losses);
 
-  std::vector<BorderedPlane> planes_;  // planes_[i] is the image after i + 1 steps
-  std::vector<BorderedPlane> warped_;  // with samples: the same before they enter
+  std::vector<BorderedPlane> planes_;        // planes_[i] is the image after i + 1 steps
+  std::vector<BorderedPlane> warped_;        // with samples: the same before they enter
+  std::vector<BorderedPlane> coefficients_;  // with a prefilter: what step i reads
   BorderedPlane gradient_;
   BorderedPlane next_gradient_;
+  PlanePrefilter prefilter_;
 };
 
 }  // namespace warplut

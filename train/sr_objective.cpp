@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "datasets/jitter.h"
+#include "luts/filters.h"
 #include "train/band_limited.h"
 #include "train/keys_search.h"
 #include "train/random.h"
+#include "train/rivals.h"
 
 namespace warplut {
 namespace {
@@ -20,14 +21,6 @@ std::vector<Protocol> SrProtocols(const std::vector<int>& horizons, bool with_pa
   for (const int warps : horizons) protocols.push_back({warps, Offsets::kRandom});
   if (with_pan) protocols.push_back({kNodes, Offsets::kPan});
   return protocols;
-}
-
-std::vector<double> LeastKeysLosses(const Objective& objective) {
-  std::vector<double> least(objective.protocols().size(), std::numeric_limits<double>::infinity());
-  for (const KeysLoss& keys : KeysLosses(objective)) {
-    for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], keys.losses[i]);
-  }
-  return least;
 }
 
 float Bilinear(const BorderedPlane& plane, double x, double y) {
@@ -89,7 +82,10 @@ SrObjective::SrObjective(std::vector<BorderedPlane> all_crops, const std::vector
   if (like != nullptr) {
     ScaleBaselines(*like);
   } else {
-    SetBaselines(LeastKeysLosses(*this));
+    const std::vector<Rival> rivals = JudgeRivals(*this, options.largest_side);
+    SetBaselines(LeastLosses(rivals), options.largest_side > 0
+                                          ? BestRival(rivals, count - 1).resampler
+                                          : KeysCanonicalWeights(kCatmullRomA));
   }
 }
 

@@ -6,9 +6,9 @@
 // by the trajectory's displacement and refreshes it with the scene's samples at phase f + t
 // (train/sample_grid.h):
 //
-//   h = W(d_t) x_(t-1)      x_t = h + share (I (S_t - B h))
+//   h = W(d_t) P x_(t-1)    x_t = h + share (I (S_t - B h))
 //
-// At a horizon the displacements add up to zero, so that x_t should be the crop: an exact
+// P is the prefilter, where there is one. At a horizon the displacements add up to zero, so that x_t should be the crop: an exact
 // reference. The shortest horizons judge how the loop settles, the longest what it settles to. The
 // jitter is that of datasets/jitter.h, f is drawn for each rollout. A sample beyond the crop sees
 // its repeated edge, which the judged part does not reach.
@@ -24,7 +24,7 @@
 //
 // The form of train/objective.h with the kinds random and pan (of kNodes steps, after which every
 // pan is back at the start), whose shares are 1 - q and q, and p = 1; the baseline of each protocol
-// is the Keys kernel that is best for it, on the same crops, trajectories and samples.
+// is the rival (train/rivals.h) that is best for it, on the same crops, trajectories and samples.
 #pragma once
 
 #include <cstdint>
@@ -39,9 +39,10 @@ struct SrObjectiveOptions {
   double scale = 2;    // output / render, [1, 4]
   double blend_a = 0;  // a and b of runtime/parameters.h
   double blend_b = 0;
-  double pan_share = 0;   // q, in [0, 1]
-  int pans_per_crop = 0;  // 0: no pan among the protocols, then pan_share is 0
-  double aliasing = 0;    // output pixels, >= 0
+  double pan_share = 0;     // q, in [0, 1]
+  int pans_per_crop = 0;    // 0: no pan among the protocols, then pan_share is 0
+  double aliasing = 0;      // output pixels, >= 0
+  double largest_side = 0;  // of the splines that are the baselines; 0: Keys kernels are
 };
 
 class SrObjective final : public Objective {

@@ -115,23 +115,36 @@ namespace {
 // How far a stencil reads past the image: a whole part of -1 and tap -1, or tap 2.
 constexpr int kReach = 2;
 
-void FillRow(float* row, int width) {
-  for (int i = 1; i <= kReach; ++i) {
-    row[-i] = row[0];
-    row[width - 1 + i] = row[width - 1];
-  }
-}
-
 }  // namespace
 
-void FillBorder(BorderedPlane& plane) {
+int ContinuedPixel(int i, int size, Border border) {
+  if (border == Border::kRepeated) return std::clamp(i, 0, size - 1);
+  if (i >= 0 && i < size) return i;
+  const int period = 2 * size;
+  if (i >= -size && i < period) return i < 0 ? -1 - i : period - 1 - i;
+  const int place = (i % period + period) % period;
+  return std::min(place, period - 1 - place);
+}
+
+void FillBorder(BorderedPlane& plane, Border border) {
   const int width = plane.width();
   const int height = plane.height();
-  for (int y = 0; y < height; ++y) FillRow(plane.row(y), width);
   for (int i = 1; i <= kReach; ++i) {
-    std::copy_n(plane.row(0) - kReach, width + 2 * kReach, plane.row(-i) - kReach);
-    std::copy_n(plane.row(height - 1) - kReach, width + 2 * kReach,
-                plane.row(height - 1 + i) - kReach);
+    const int left = ContinuedPixel(-i, width, border);
+    const int right = ContinuedPixel(width - 1 + i, width, border);
+    for (int y = 0; y < height; ++y) {
+      float* row = plane.row(y);
+      row[-i] = row[left];
+      row[width - 1 + i] = row[right];
+    }
+  }
+  const auto fill_row = [&](int y) {
+    std::copy_n(plane.row(ContinuedPixel(y, height, border)) - kReach, width + 2 * kReach,
+                plane.row(y) - kReach);
+  };
+  for (int i = 1; i <= kReach; ++i) {
+    fill_row(-i);
+    fill_row(height - 1 + i);
   }
 }
 
@@ -142,27 +155,27 @@ void ApplyStencil(const Stencil& stencil, const BorderedPlane& in, BorderedPlane
 
 void AdjointStencil(const Stencil& stencil, const BorderedPlane& in, const BorderedPlane& out,
                     BorderedPlane& out_gradient, BorderedPlane& in_gradient,
-                    Weights<double>& weight_gradient) {
+                    Weights<double>& weight_gradient, Border border) {
   const int width = in.width();
   const int height = in.height();
   HWY_DYNAMIC_DISPATCH(WeightGradient)(stencil, in, out, out_gradient, weight_gradient.data());
   HWY_DYNAMIC_DISPATCH(InputGradient)(stencil, out_gradient, in_gradient);
   // The adjoint of FillBorder.
-  const auto fold_row = [&](int from, int to) {
-    float* source = in_gradient.row(from) - kReach;
-    float* target = in_gradient.row(to) - kReach;
+  const auto fold_row = [&](int y) {
+    float* source = in_gradient.row(y) - kReach;
+    float* target = in_gradient.row(ContinuedPixel(y, height, border)) - kReach;
     for (int x = 0; x < width + 2 * kReach; ++x) target[x] += source[x];
   };
   for (int i = 1; i <= kReach; ++i) {
-    fold_row(-i, 0);
-    fold_row(height - 1 + i, height - 1);
+    fold_row(-i);
+    fold_row(height - 1 + i);
   }
   constexpr int kBorder = BorderedPlane::kBorder;
   for (int y = 0; y < height; ++y) {
     float* row = in_gradient.row(y);
     for (int i = 1; i <= kReach; ++i) {
-      row[0] += row[-i];
-      row[width - 1] += row[width - 1 + i];
+      row[ContinuedPixel(-i, width, border)] += row[-i];
+      row[ContinuedPixel(width - 1 + i, width, border)] += row[width - 1 + i];
     }
     std::fill(row - kBorder, row, 0.0f);
     std::fill(row + width, in_gradient.row(y + 1) - kBorder, 0.0f);

@@ -47,19 +47,26 @@ struct Stencil {
   Weights<float> weights{};
 };
 
-// Repeats the edge pixels into the border (a clamped border), as far as a stencil reads.
-void FillBorder(BorderedPlane& plane);
+// How an image goes on beyond its edges: its edge pixels repeat, or it is mirrored at the edge of
+// the outermost pixels, x(-1 - i) = x(i).
+enum class Border { kRepeated, kMirrored };
 
-// out = stencil of `in`, clamped to [0, 1], border filled. `in` has its border filled; the planes
-// are of one size and different.
+// The pixel 0..size - 1 that stands for pixel `i`, any integer.
+int ContinuedPixel(int i, int size, Border border);
+
+// Continues the image into the border, as far as a stencil reads.
+void FillBorder(BorderedPlane& plane, Border border = Border::kRepeated);
+
+// out = stencil of `in`, clamped to [0, 1], border filled with repeated pixels. `in` has its border
+// filled; the planes are of one size and different.
 void ApplyStencil(const Stencil& stencil, const BorderedPlane& in, BorderedPlane& out);
 
 // The adjoint. `in` and `out` as after ApplyStencil; `out_gradient` is d(loss)/d(out) inside the
 // image and zero in the border, and is overwritten (clamped pixels pass nothing). Writes
-// d(loss)/d(in), border folded into the edges and cleared, to `in_gradient` and adds
-// d(loss)/d(weights) to `weight_gradient`.
+// d(loss)/d(in), the border, which is of kind `border`, folded back into the image and cleared, to
+// `in_gradient` and adds d(loss)/d(weights) to `weight_gradient`.
 void AdjointStencil(const Stencil& stencil, const BorderedPlane& in, const BorderedPlane& out,
                     BorderedPlane& out_gradient, BorderedPlane& in_gradient,
-                    Weights<double>& weight_gradient);
+                    Weights<double>& weight_gradient, Border border = Border::kRepeated);
 
 }  // namespace warplut

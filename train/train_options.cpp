@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
 #include "luts/certificate.h"
 #include "runtime/parameters.h"
@@ -12,7 +16,11 @@
 namespace warplut {
 namespace {
 
-constexpr int kFewestCrops = 16;
+constexpr std::array<std::pair<const char*, TrainPrefilter>, 3> kPrefilterNames = {
+    {{"none", TrainPrefilter::kNone},
+     {"spline", TrainPrefilter::kSpline},
+     {"iir", TrainPrefilter::kIir}}};
+constexpr const char* kFirName = "fir:";
 
 bool Refuse(std::string* why, std::string sentence) {
   if (why != nullptr) *why = std::move(sentence);
@@ -38,6 +46,15 @@ bool TrainOptions::IsValid(std::string* why) const {
                                      horizon, last, kMaxHorizon));
     }
     last = horizon;
+  }
+  const bool is_fir = prefilter == TrainPrefilter::kFir;
+  if (is_fir && !(fir_taps % 2 == 1 && fir_taps >= 3 && FirReach(*this) <= kLargestFirReach)) {
+    return Refuse(why, fmt::format("fir_taps is {}; expected an odd number of 3 to {} taps.",
+                                   fir_taps, 2 * kLargestFirReach + 1));
+  }
+  if (!is_fir && fir_taps != 0) {
+    return Refuse(why,
+                  fmt::format("fir_taps is {}; expected it with prefilter fir alone.", fir_taps));
   }
   if (objective != TrainObjective::kSr && (blend_a || blend_b)) {
     return Refuse(why, "blend_a or blend_b is set; expected them with objective sr alone.");
@@ -77,25 +94,31 @@ TrainOptions TrainOptions::Resolved() const {
   TrainOptions resolved = *this;
   if (horizons.empty()) resolved.horizons = DefaultHorizons(scale);
   const int longest = resolved.horizons.back();
+  const bool plain = prefilter == TrainPrefilter::kNone;
   if (iterations == 0) {
-    resolved.iterations =
-        optimizer == Optimizer::kAdam ? kDefaultAdamIterations : kDefaultLbfgsIterations;
+    resolved.iterations = optimizer == Optimizer::kAdam ? kDefaultAdamIterations
+                          : plain                       ? kDefaultPlainLbfgsIterations
+                                                        : kDefaultLbfgsIterations;
   }
   if (gain_bound == 0) resolved.gain_bound = DefaultGainBound(longest);
   const bool sr = objective == TrainObjective::kSr;
-  resolved.pan_share = pan_share.value_or(sr ? kSrPanShare : 0.0);
+  const double warp_share = plain ? kPlainPanShare : kPanShare;
+  resolved.pan_share = pan_share.value_or(sr ? kSrPanShare : warp_share);
   if (sr) {
     resolved.aliasing = aliasing.value_or(kSrAliasing);
     resolved.blend_a = blend_a.value_or(Decimal(Parameters().blend_a));
     resolved.blend_b = blend_b.value_or(Decimal(Parameters().blend_b));
   }
-  if (crops == 0) resolved.crops = std::max(kFewestCrops, kDefaultCropWarps / longest);
+  if (crops == 0)
+    resolved.crops =
+        std::max(kFewestCrops, (plain ? kDefaultPlainCropWarps : kDefaultCropWarps) / longest);
   return resolved;
 }
 
 std::string TrainOptions::Json() const {
   nlohmann::ordered_json json = {{"scale", scale},
                                  {"horizons", horizons},
+                                 {"prefilter", PrefilterName(*this)},
                                  {"optimizer", Name(optimizer)},
                                  {"seed", seed},
                                  {"stages", stages},
@@ -111,6 +134,31 @@ std::string TrainOptions::Json() const {
     json["aliasing"] = *aliasing;
   }
   return json.dump();
+}
+
+std::string PrefilterName(const TrainOptions& options) {
+  for (const auto& [name, kind] : kPrefilterNames) {
+    if (kind == options.prefilter) return name;
+  }
+  return fmt::format("{}{}", kFirName, options.fir_taps);
+}
+
+bool SetPrefilter(const std::string& text, TrainOptions* options) {
+  for (const auto& [name, kind] : kPrefilterNames) {
+    if (text != name) continue;
+    options->prefilter = kind;
+    options->fir_taps = 0;
+    return true;
+  }
+  const std::string_view fir = kFirName;
+  int taps = 0;
+  const char* end = text.data() + text.size();
+  if (!text.starts_with(fir)) return false;
+  const auto [parsed, error] = std::from_chars(text.data() + fir.size(), end, taps);
+  if (error != std::errc() || parsed != end) return false;
+  options->prefilter = TrainPrefilter::kFir;
+  options->fir_taps = taps;
+  return true;
 }
 
 std::vector<int> DefaultHorizons(double scale) {

@@ -21,6 +21,8 @@
 #include "train/minimize.h"
 #include "train/mlp_objective.h"
 #include "train/random.h"
+#include "train/resampler_model.h"
+#include "train/spline_family.h"
 #include "train/sr_objective.h"
 #include "train/warp_objective.h"
 
@@ -57,17 +59,19 @@ Stage MakeStage(const TrainOptions& options, int index) {
           kGainPenaltyFactor * softening};
 }
 
-// The objective of the options, resolved; `power` is for objective `warp` alone.
+// The objective of the options, resolved; `power` is for objective `warp` alone, `largest_side` 0
+// without prefilter.
 std::unique_ptr<const Objective> MakeObjective(const TrainOptions& options,
                                                std::vector<BorderedPlane> crops, std::uint64_t seed,
-                                               int pans_per_crop, double power,
+                                               int pans_per_crop, double power, double largest_side,
                                                const Objective* like) {
   if (options.objective == TrainObjective::kSr) {
     const SrObjectiveOptions sr{options.scale,      *options.blend_a, *options.blend_b,
-                                *options.pan_share, pans_per_crop,    *options.aliasing};
+                                *options.pan_share, pans_per_crop,    *options.aliasing,
+                                largest_side};
     return std::make_unique<SrObjective>(std::move(crops), options.horizons, seed, sr, like);
   }
-  const WarpObjectiveOptions warp{power, *options.pan_share, pans_per_crop};
+  const WarpObjectiveOptions warp{power, *options.pan_share, pans_per_crop, largest_side};
   return std::make_unique<WarpObjective>(std::move(crops), options.horizons, seed, warp, like);
 }
 
@@ -88,6 +92,12 @@ bool IsFlat(const Image& luma) {
                      [&](float value) { return value == luma.data[0]; });
 }
 
+// The largest side of a spline that keeps the bound on gain; 0 without prefilter.
+double LargestSide(const TrainOptions& options, int reach) {
+  if (options.prefilter == TrainPrefilter::kNone) return 0;
+  return LargestSplineSide(options.gain_bound, reach);
+}
+
 class Training {
  public:
   Training(const TrainOptions& options, const std::vector<TrainImage>& images,
@@ -96,16 +106,21 @@ class Training {
         progress_(progress),
         luma_(CheckedLuma(images)),
         penalty_(options_.gain_bound),
+        largest_side_(LargestSide(options_, 0)),
         validation_(MakeObjective(
             options_,
             DrawCrops(luma_, options_.crops / 3 + 1, Seed(options_, SeedFor::kValidation)),
-            Seed(options_, SeedFor::kValidation, 1), kValidationPans, kProtocolPower, nullptr)) {
+            Seed(options_, SeedFor::kValidation, 1), kValidationPans, kProtocolPower, largest_side_,
+            nullptr)) {
     std::string identity = options_.Json();
     for (const TrainImage& image : images) identity += image.record.sha1;
     state_.made_for = Sha1(identity);
     state_.parameters = RandomParameters(Seed(options_, SeedFor::kStart));
+    if (largest_side_ > 0) StartPrefilter();
     state_.best_validation = std::numeric_limits<double>::max();
-    if (options_.resume) state_ = ReadCheckpoint(options_.checkpoint, state_.made_for);
+    if (options_.resume) {
+      state_ = ReadCheckpoint(options_.checkpoint, state_.made_for, state_.parameters.size());
+    }
   }
 
   // Returns false if the callback stopped it.
@@ -121,9 +136,20 @@ class Training {
 
   Fit MakeFit(const std::vector<TrainImage>& images);
 
+  // Whether max_seconds ended it before its last stage.
+  bool cut() const { return cut_; }
+
  private:
   double Seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  bool OutOfTime() const { return options_.max_seconds > 0 && Seconds() >= options_.max_seconds; }
+  bool OutOfTime() {
+    const bool out = options_.max_seconds > 0 && Seconds() >= options_.max_seconds;
+    cut_ = cut_ || out;
+    return out;
+  }
+  // L + f P of a resampler by the last stage's measure.
+  double Judge(const Objective& objective, const Resampler& resampler) const;
+  std::unique_ptr<const Objective> StageObjective(int index) const;
+  void StartPrefilter();
   bool RunStage();
   bool Report(int iteration, std::int64_t evaluations, double loss);
   void FinishStage(std::int64_t evaluations, double loss);
@@ -132,11 +158,52 @@ class Training {
   const TrainCallback& progress_;
   const std::vector<Image> luma_;
   const GainPenalty penalty_;
+  const double largest_side_;  // of splines with their exact prefilter; 0 without prefilter
   const std::unique_ptr<const Objective> validation_;
-  HeadBatch head_;
+  ResamplerModel model_;
   Checkpoint state_;
+  bool cut_ = false;
   Clock::time_point start_;
 };
+
+double Training::Judge(const Objective& objective, const Resampler& resampler) const {
+  Resampler unused;
+  return objective.Evaluate(resampler) +
+         kGainPenaltyFactor * penalty_.AddGradient(resampler, 0, unused);
+}
+
+std::unique_ptr<const Objective> Training::StageObjective(int index) const {
+  const Stage stage = MakeStage(options_, index);
+  return MakeObjective(options_,
+                       DrawCrops(luma_, stage.crops, Seed(options_, SeedFor::kStages, 2 * index)),
+                       Seed(options_, SeedFor::kStages, 2 * index + 1), TrainingPans(options_),
+                       stage.power, largest_side_, validation_.get());
+}
+
+// At the spline that the first stage likes best.
+void Training::StartPrefilter() {
+  const int reach = FirReach(options_);
+  const double largest = LargestSide(options_, reach);
+  const auto objective = StageObjective(0);
+  const auto loss = [&](double side) {
+    return Judge(*objective, SplineResampler(SplinePrefilter(side, reach)));
+  };
+  const RealPrefilter start = SplinePrefilter(BestSplineSide(loss, largest), reach);
+  switch (options_.prefilter) {
+    case TrainPrefilter::kSpline:
+      model_ = ResamplerModel(PrefilterMap::Fixed(start.side));
+      break;
+    case TrainPrefilter::kIir:
+      model_ = ResamplerModel(PrefilterMap::Recursive(largest));
+      break;
+    case TrainPrefilter::kFir:
+      model_ = ResamplerModel(PrefilterMap::Fir(reach, largest));
+      break;
+    case TrainPrefilter::kNone:
+      return;
+  }
+  for (const double number : model_.map().NumbersOf(start)) state_.parameters.push_back(number);
+}
 
 bool Training::Report(int iteration, std::int64_t evaluations, double loss) {
   if (!progress_) return true;
@@ -149,12 +216,9 @@ bool Training::Report(int iteration, std::int64_t evaluations, double loss) {
 }
 
 bool Training::RunStage() {
-  const Stage stage = MakeStage(options_, state_.stage);
-  const auto stage_objective = MakeObjective(
-      options_, DrawCrops(luma_, stage.crops, Seed(options_, SeedFor::kStages, 2 * state_.stage)),
-      Seed(options_, SeedFor::kStages, 2 * state_.stage + 1), TrainingPans(options_), stage.power,
-      validation_.get());
-  MlpObjective objective(*stage_objective, options_.gain_bound, stage.penalty_factor);
+  const auto stage_objective = StageObjective(state_.stage);
+  MlpObjective objective(*stage_objective, options_.gain_bound,
+                         MakeStage(options_, state_.stage).penalty_factor, model_.map());
   std::vector<double> parameters = state_.parameters;
   AdamState adam = state_.adam;
   int iteration = 0;
@@ -180,11 +244,8 @@ bool Training::RunStage() {
 void Training::FinishStage(std::int64_t evaluations, double loss) {
   ++state_.stage;
   state_.evaluations += evaluations;
-  LimitGain(LargestGain(options_.gain_bound), head_, state_.parameters);
-  const CanonicalWeights<double>& weights = head_.Forward(state_.parameters.data());
-  CanonicalWeights<double> unused{};
-  const double validation = validation_->Evaluate(weights) +
-                            kGainPenaltyFactor * penalty_.AddGradient(weights, 0, unused);
+  LimitGain(LargestGain(options_.gain_bound), model_, state_.parameters);
+  const double validation = Judge(*validation_, model_.ForwardStored(state_.parameters.data()));
   state_.seconds = Seconds();
   state_.loss.push_back({state_.seconds, state_.evaluations, loss, validation});
   if (validation < state_.best_validation) {
@@ -203,20 +264,33 @@ Fit Training::MakeFit(const std::vector<TrainImage>& images) {
   fit.gain_bound = options_.gain_bound;
   fit.seed = options_.seed;
   fit.options = options_.Json();
-  fit.parameters = state_.best_parameters;
+  if (!state_.best_parameters.empty()) {
+    fit.parameters.assign(state_.best_parameters.begin(),
+                          state_.best_parameters.begin() + kMlpParameters);
+  }
   fit.loss = state_.loss;
   for (const TrainImage& image : images) fit.data.push_back(image.record);
   if (fit.parameters.empty()) return fit;
 
+  const Resampler trained = model_.ForwardStored(state_.best_parameters.data());
+  fit.prefilter = Rounded(trained.prefilter);
   fit.keys_a = FitKeys(*validation_);
-  const auto add = [&](const char* filter, const CanonicalWeights<double>& weights) {
-    const std::vector<double> losses = validation_->Losses(weights);
+  const auto add = [&](const char* filter, const Resampler& resampler) {
+    const std::vector<double> losses = validation_->Losses(resampler);
     for (std::size_t i = 0; i < losses.size(); ++i) {
       const Protocol& protocol = validation_->protocols()[i];
       fit.validation.push_back({filter, protocol.warps, Name(protocol.offsets), 1 - losses[i]});
     }
   };
-  add("lut", head_.Forward(fit.parameters.data()));
+  add("lut", trained);
+  if (HasPrefilter(fit.prefilter)) {
+    const double side = BestSplineSide(
+        [&](double s) { return Judge(*validation_, SplineResampler(RecursivePrefilter(s))); },
+        largest_side_);
+    fit.spline_k = SplineK(side);
+    add("spline", SplineResampler(RecursivePrefilter(side)));
+    add("spline-1/84", SplineResampler(RecursivePrefilter(SplineSide(kMiddleSplineK))));
+  }
   add("keys", KeysCanonicalWeights(fit.keys_a));
   add("catmull-rom", KeysCanonicalWeights(kCatmullRomA));
   return fit;
@@ -254,6 +328,7 @@ TrainResult Train(const TrainOptions& options, const std::vector<TrainImage>& im
   Training training(options, images, progress);
   TrainResult result;
   result.interrupted = !training.Run();
+  result.cut = training.cut();
   result.fit = training.MakeFit(images);
   return result;
 }

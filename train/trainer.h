@@ -3,7 +3,8 @@
 // The training goes in stages. Each draws crops and trajectories anew, so that no stage can learn
 // its trajectories by heart, and starts the optimizer from where the last one ended; early stages
 // have fewer crops and a smoother objective. At the end of a stage the gain is limited, so that the
-// weights keep their bound (train/gain_limit.h). After each stage the fit is validated on crops that
+// weights keep their bound (train/gain_limit.h). With a prefilter the start is the spline with the
+// least objective, and the baselines are splines (train/spline_family.h). After each stage the fit is validated on crops that
 // are drawn from other places and trajectories of their own; the best stage is the result.
 #pragma once
 
@@ -40,6 +41,7 @@ using TrainCallback = std::function<bool(const TrainProgress&)>;
 struct TrainResult {
   Fit fit;                   // not valid if interrupted before the first stage was complete
   bool interrupted = false;  // by the callback; the checkpoint is kept
+  bool cut = false;          // by max_seconds, before all of the work was done
 };
 
 // Trains. An Error says what is wrong with the data (as CheckedLuma) or the

@@ -25,7 +25,7 @@ struct Protocol {
   Offsets offsets = Offsets::kHalf;
 };
 
-// Components in (-1, 1), multiples of 1 / steps of MakeTrajectory.
+// Components in (-1, 1), multiples of a step of MakeTrajectory.
 struct Displacement {
   double x = 0;
   double y = 0;
@@ -36,10 +36,14 @@ struct Displacement {
 //   kRandom  fractions uniform on the multiples of 1 / steps, but for the last warp before each
 //            horizon, which returns to the start. With steps = kNodes every offset is a node; a
 //            large one stands for any offset.
-//   kPan     one and the same fraction, that of a random node, at every warp: what a camera does
-//            that turns at constant speed. A filter that moves the image by a little more or less
-//            than asked drifts here, while random offsets hide it. Every horizon must be a multiple
-//            of kNodes, and steps too.
+//   kPan     one and the same fraction at every warp: what a camera does that turns at constant
+//            speed. A filter that moves the image by a little more or less than asked drifts here,
+//            while random offsets hide it. Let g be the greatest common divisor of the horizons.
+//            Where g is a multiple of kNodes, the fraction is that of a random node, and steps must
+//            be a multiple of kNodes. Any other g must be at least 2: the fraction is j / g with j
+//            uniform on 0..g - 1 in each axis, but not 0 in both, whatever `steps` is.
+// Displacements are counted in whole steps, whose sums are exact: 1 / g for a pan off the nodes,
+// 1 / steps otherwise. Each component is the double next to its count of steps.
 // Horizons are ascending and at least 1. The same arguments give the same trajectory on every
 // machine.
 std::vector<Displacement> MakeTrajectory(Offsets offsets, std::span<const int> horizons, int steps,

@@ -2,26 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "train/keys_search.h"
 #include "train/random.h"
+#include "train/rivals.h"
 
 namespace warplut {
 namespace {
 
-// The baselines, and the kernel that most of them are of.
-KeysLoss FindBaselines(const Objective& objective, std::size_t horizons) {
-  const std::size_t n = horizons;
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::vector<double> least(objective.protocols().size(), infinity);
-  KeysLoss baselines;
-  for (const KeysLoss& keys : KeysLosses(objective)) {
-    if (keys.losses[n - 1] < least[n - 1]) baselines = keys;
-    for (std::size_t p = 0; p < least.size(); ++p) least[p] = std::min(least[p], keys.losses[p]);
-  }
-  std::copy_n(least.begin() + n, n - 1, baselines.losses.begin() + n);
-  return baselines;
+std::size_t PanCount(std::span<const int> horizons, bool with_pan) {
+  return MakeProtocols(horizons, with_pan).size() - 2 * horizons.size();
 }
 
 }  // namespace
@@ -34,19 +23,25 @@ std::vector<Protocol> MakeProtocols(std::span<const int> horizons, bool with_pan
   int& longest_half = protocols[horizons.size() - 1].warps;
   longest_half = 2 * static_cast<int>(std::lround(kHalfReserve * longest_half / 2));
   if (!with_pan) return protocols;
-  const double cycles = static_cast<double>(horizons.back()) / kNodes;
-  protocols.push_back({kNodes * std::max(1, static_cast<int>(std::lround(cycles))), Offsets::kPan});
+  int last = 0;
+  for (const int horizon : horizons) {
+    const int cycles = static_cast<int>(std::lround(static_cast<double>(horizon) / kNodes));
+    const int warps = kNodes * std::max(1, cycles);
+    if (warps > last) protocols.push_back({warps, Offsets::kPan});
+    last = warps;
+  }
   return protocols;
 }
 
 WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const std::vector<int>& horizons,
                              std::uint64_t seed, const WarpObjectiveOptions& options,
                              const Objective* like)
-    : Objective(std::move(crops), MakeProtocols(horizons, options.pans_per_crop > 0),
-                {{0, horizons.size(), (1 - options.pan_share) * kHalfShare},
-                 {horizons.size(), horizons.size(), (1 - options.pan_share) * (1 - kHalfShare)},
-                 {2 * horizons.size(), options.pans_per_crop > 0 ? 1u : 0u, options.pan_share}},
-                options.power) {
+    : Objective(
+          std::move(crops), MakeProtocols(horizons, options.pans_per_crop > 0),
+          {{0, horizons.size(), (1 - options.pan_share) * kHalfShare},
+           {horizons.size(), horizons.size(), (1 - options.pan_share) * (1 - kHalfShare)},
+           {2 * horizons.size(), PanCount(horizons, options.pans_per_crop > 0), options.pan_share}},
+          options.power) {
   const std::size_t count = horizons.size();
   const std::size_t pan = 2 * count;
   std::uint64_t drawn = 0;
@@ -59,14 +54,23 @@ WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const std::vector
     for (std::size_t p = count; p < pan; ++p) {
       for (int warps = 0; warps < horizons.back(); warps += protocols()[p].warps) add(c, p);
     }
-    for (int i = 0; i < options.pans_per_crop; ++i) add(c, pan);
+    for (std::size_t p = pan; p < protocols().size(); ++p) {
+      for (int i = 0; i < options.pans_per_crop; ++i) add(c, p);
+    }
   }
   if (like != nullptr) {
     ScaleBaselines(*like);
-  } else {
-    const KeysLoss found = FindBaselines(*this, count);
-    SetBaselines(found.losses, found.a);
+    return;
   }
+  const std::vector<Rival> rivals = JudgeRivals(*this, options.largest_side);
+  const Rival& yardstick = BestRival(rivals, count - 1);
+  std::vector<double> baselines = LeastLosses(rivals);
+  if (!(options.largest_side > 0)) {
+    std::copy_n(yardstick.losses.begin(), count, baselines.begin());
+    std::copy(yardstick.losses.begin() + static_cast<std::ptrdiff_t>(pan) - 1,
+              yardstick.losses.end(), baselines.begin() + static_cast<std::ptrdiff_t>(pan) - 1);
+  }
+  SetBaselines(std::move(baselines), yardstick.resampler);
 }
 
 }  // namespace warplut

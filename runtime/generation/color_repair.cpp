@@ -35,13 +35,18 @@ void Repair(const ImageView& color, const MotionView& motion, const WarpOptions&
   constexpr int kChannels = 4;
   const T* row = warped.Row<const T>(y);
   if (!AnyUnusable(row, warped.width * kChannels)) return;
+  const bool prefiltered = HasPrefilter(PrefilterOf(options));
   for (int x = 0; x < warped.width; ++x) {
     if (!AnyUnusable(row + x * kChannels, kChannels)) continue;
     const MotionSplit sx = SplitMotion(motion.Row(y)[2 * x]);
     const MotionSplit sy = SplitMotion(motion.Row(y)[2 * x + 1]);
     const int tx = SampledTexel(x, sx.whole, color.width);
     const int ty = SampledTexel(y, sy.whole, color.height);
-    const Weights<float> weights = FilterWeights(options, sx.offset, sy.offset);
+    Weights<float> weights = FilterWeights(options, sx.offset, sy.offset);
+    if (prefiltered) {  // which spreads no such channel: this is a copy
+      weights.fill(0.0f);
+      weights[kIdentityWeight] = 1.0f;
+    }
     for (int c = 0; c < kChannels; ++c) {
       Weights<float> texels;
       for (int k = 0; k < kWeights; ++k) {

@@ -7,7 +7,8 @@
 namespace warplut::generation {
 
 // Row y of `warped`, which came of `color` and `motion`: pixels with a channel that is not finite are computed again by the
-// formula of the warp with such channels of the texels as 0. Does nothing for RGBA8.
+// formula of the warp with such channels of the texels as 0; with a prefilter they are copies, and become 0. Does nothing
+// for RGBA8.
 void RepairRow(const ImageView& color, const MotionView& motion, const WarpOptions& options, int y,
                const MutableImageView& warped);
 

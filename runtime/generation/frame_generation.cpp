@@ -1,12 +1,14 @@
 #include "runtime/frame_generation.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "runtime/chosen.h"
 #include "runtime/generation/band_buffers.h"
 #include "runtime/generation/color_repair.h"
 #include "runtime/generation/frame_check.h"
+#include "runtime/generation/frame_coefficients.h"
 #include "runtime/generation/hdr_rows.h"
 #include "runtime/generation/row_kernels.h"
 #include "runtime/motion_filter.h"
@@ -30,6 +32,8 @@ RowKernels KernelsOf(const FrameGenerationOptions& options) {
 }  // namespace
 
 struct FrameGeneration::State {
+  using Source = FrameCoefficients::Source;
+
   State(const FrameGenerationOptions& frame_options, Executor& threads);
 
   // Calls work(band, buffers) for bands of `rows` rows, each once.
@@ -44,18 +48,20 @@ struct FrameGeneration::State {
 
   void FilterMotion(GenerationJob& job);
   void Splat(const GenerationJob& job);
-  void WarpDisplay(const GenerationJob& job, const ImageView& color0, const ImageView& color1,
+  void WarpDisplay(const GenerationJob& job, const Source& frame0, const Source& frame1,
                    const MutableImageView& out);
   void WarpHdr(const GenerationJob& job, const ImageView& color0, const ImageView& color1,
                const MutableImageView& out);
   void EncodeRows(const ImageView& linear, const Band& band, const MutableImageView& to) const;
   void DecodeRows(const ImageView& from, const Band& band, const MutableImageView& out) const;
   void FindMotion(const GenerationJob& job, const Band& band, BandBuffers& buffers) const;
-  void WarpBand(const ImageView& color, const MotionView& motion, const Band& band,
+  void WarpBand(const PrefilteredImage& image, const MotionView& motion, const Band& band,
                 BandBuffers& buffers, const MutableImageView& to) const;
   void BlendBand(const GenerationJob& job, const WarpedFrames& warped, const Band& band,
                  const MutableImageView& out) const;
 
+  // Whether frames are turned into coefficients: for the compiler false where no filter of the build has a prefilter.
+  bool Prefilters() const { return kContainsPrefilter && static_cast<bool>(coefficients); }
   MutableMotionView Forward() const {
     return {reinterpret_cast<float*>(forward.data()), options.width, options.height,
             std::ptrdiff_t{options.width} * 2 * static_cast<std::ptrdiff_t>(sizeof(float))};
@@ -70,7 +76,8 @@ struct FrameGeneration::State {
   RowBuffer keys;               // likewise
   std::vector<RowRange> reach;  // of each row of frame 1: the rows at which it arrives
 
-  ImageBuffer codes;  // kLinearHdr: the frame that is being warped
+  ImageBuffer codes;               // kLinearHdr: the frame that is being warped
+  FrameCoefficients coefficients;  // with a prefilter
   std::unique_ptr<MotionFilter> filter;
   MotionBuffer filtered0, filtered1;  // with a motion filter
   std::vector<BandBuffers> bands;     // one for each worker
@@ -88,6 +95,10 @@ inline FrameGeneration::State::State(const FrameGenerationOptions& frame_options
   }
   if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
     codes = ImageBuffer(width, height, PixelFormat::kRgba32F);
+  }
+  if (PrefiltersFrames(options)) {
+    const Prefilter prefilter = PrefilterOf(options.warp);
+    coefficients = FrameCoefficients(prefilter, options, executor.Threads());
   }
   if (FiltersMotion(options)) {
     filter = std::make_unique<MotionFilter>(width, height,
@@ -143,13 +154,21 @@ inline void FrameGeneration::State::FindMotion(const GenerationJob& job, const B
   for (const std::uint8_t tile : disoccluded) buffers.tiles.disoccluded += tile;
 }
 
-inline void FrameGeneration::State::WarpBand(const ImageView& color, const MotionView& motion,
-                                             const Band& band, BandBuffers& buffers,
+// Without prefilter `image` has no coefficients.
+inline void FrameGeneration::State::WarpBand(const PrefilteredImage& image,
+                                             const MotionView& motion, const Band& band,
+                                             BandBuffers& buffers,
                                              const MutableImageView& to) const {
+  const ImageView& color = image.samples;
+  const WarpOptions& warp = options.warp;
   if (IsReference(options)) {
-    WarpReferencePixels({color, motion, options.warp, to}, {0, band.first, to.width, band.last});
+    const TileRect rows = {0, band.first, to.width, band.last};
+    WarpReferencePixels(
+        Prefilters() ? WarpJob(image, motion, warp, to) : WarpJob(color, motion, warp, to), rows);
+  } else if (Prefilters()) {
+    buffers.tiles.warped += WarpRows(image, motion, warp, band.first, band.last, to);
   } else {
-    buffers.tiles.warped += WarpRows(color, motion, options.warp, band.first, band.last, to);
+    buffers.tiles.warped += WarpRows(color, motion, warp, band.first, band.last, to);
   }
   if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
     for (int y = band.first; y < band.last; ++y) LimitHdrRow(color, motion, y, to);
@@ -164,14 +183,23 @@ inline void FrameGeneration::State::BlendBand(const GenerationJob& job, const Wa
   for (int y = band.first; y < band.last; ++y) kernels.blend(job, warped, y, out);
 }
 
-inline void FrameGeneration::State::WarpDisplay(const GenerationJob& job, const ImageView& color0,
-                                                const ImageView& color1,
-                                                const MutableImageView& out) {
+inline void FrameGeneration::State::WarpDisplay(const GenerationJob& job, const Source& frame0,
+                                                const Source& frame1, const MutableImageView& out) {
+  PrefilteredImage color0{frame0.samples, {}}, color1{frame1.samples, {}};
+  if (Prefilters() && job.Interpolates()) {
+    const auto both = coefficients.OfBoth(frame0, frame1, executor);
+    color0 = both[0];
+    color1 = both[1];
+  } else if (Prefilters()) {
+    color1 = coefficients.Of(frame1, executor);
+  }
   ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
     FindMotion(job, band, buffers);
     const MutableMotionView from0 = band.Motion(buffers.from0), from1 = band.Motion(buffers.from1);
-    const MutableImageView warped0 = band.Image(buffers.color0, color0.format, options.width);
-    const MutableImageView warped1 = band.Image(buffers.color1, color1.format, options.width);
+    const MutableImageView warped0 =
+        band.Image(buffers.color0, color0.samples.format, options.width);
+    const MutableImageView warped1 =
+        band.Image(buffers.color1, color1.samples.format, options.width);
     if (job.Interpolates()) WarpBand(color0, from0, band, buffers, warped0);
     WarpBand(color1, from1, band, buffers, warped1);
     BlendBand(job, {warped0, warped1, from0, from1}, band, out);
@@ -195,23 +223,25 @@ inline void FrameGeneration::State::WarpHdr(const GenerationJob& job, const Imag
   const auto encode = [&](const ImageView& color) {
     ForBands(kBandRows,
              [&](const Band& band, BandBuffers&) { EncodeRows(color, band, codes.view()); });
+    const ImageView samples = std::as_const(codes).view();
+    return Prefilters() ? coefficients.Of({samples}, executor) : PrefilteredImage{samples, {}};
   };
-  encode(color1);
+  const PrefilteredImage codes1 = encode(color1);
   ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
     FindMotion(job, band, buffers);
     const MutableImageView warped1 = band.Image(buffers.color1, kFormat, options.width);
-    WarpBand(codes, band.Motion(buffers.from1), band, buffers, warped1);
+    WarpBand(codes1, band.Motion(buffers.from1), band, buffers, warped1);
     DecodeRows(warped1, band, out);
   });
   if (!job.Interpolates()) return;
-  encode(color0);
+  const PrefilteredImage codes0 = encode(color0);
   for (BandBuffers& worker : bands) worker.tiles.disoccluded = 0;  // they are found again
   ForBands(kBandRows, [&](const Band& band, BandBuffers& buffers) {
     FindMotion(job, band, buffers);
     const MutableMotionView from0 = band.Motion(buffers.from0), from1 = band.Motion(buffers.from1);
     const MutableImageView warped0 = band.Image(buffers.color0, kFormat, options.width);
     const MutableImageView warped1 = band.Image(buffers.color1, kFormat, options.width);
-    WarpBand(codes, from0, band, buffers, warped0);
+    WarpBand(codes0, from0, band, buffers, warped0);
     EncodeRows(out, band, warped1);
     BlendBand(job, {warped0, warped1, from0, from1}, band, warped1);
     DecodeRows(warped1, band, out);
@@ -232,7 +262,7 @@ inline void FrameGeneration::State::Generate(const DisplayedFrame& frame0,
   if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
     WarpHdr(job, frame0.color, frame1.color, out);
   } else {
-    WarpDisplay(job, frame0.color, frame1.color, out);
+    WarpDisplay(job, {frame0.color, frame0.id}, {frame1.color, frame1.id}, out);
   }
 }
 
@@ -301,7 +331,8 @@ FrameTiles FrameGeneration::Tiles() const {
 std::size_t FrameGeneration::MemoryBytes() const {
   std::size_t bytes = state_->forward.size() + state_->keys.size() +
                       state_->reach.size() * sizeof(RowRange) + state_->codes.bytes() +
-                      state_->filtered0.bytes() + state_->filtered1.bytes();
+                      state_->filtered0.bytes() + state_->filtered1.bytes() +
+                      state_->coefficients.bytes();
   if (state_->filter != nullptr) bytes += state_->filter->MemoryBytes();
   for (const BandBuffers& band : state_->bands) bytes += band.bytes();
   return bytes;

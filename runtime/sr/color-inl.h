@@ -295,8 +295,12 @@ HWY_INLINE void WarpBand(const SrJob& job, const Band& band, SrScratch& scratch)
     ValidityRow(job, y, depth, motion_x, motion_y, scratch.validity.Row(y - band.first));
     StoreMotion(motion_x, motion_y, job.x.output(), motion.Row(y));
   }
+  const WarpOptions& warp = job.options.warp;
   scratch.tiles.warped +=
-      WarpRows(job.history, motion, job.options.warp, band.first, band.last, job.next);
+      PrefiltersHistory(job.options)
+          ? WarpRows(PrefilteredImage{job.history, job.coefficients}, motion, warp, band.first,
+                     band.last, job.next)
+          : WarpRows(job.history, motion, warp, band.first, band.last, job.next);
 }
 
 inline void Predict(const SrJob& job, int begin, int end, SrScratch& scratch) {

@@ -31,6 +31,7 @@ struct SrJob {
   bool has_history;
   ImageView
       history;  // of the frame before; where the history is not warped it is already in `next`
+  ImageView coefficients;       // of `history`, where the filter has a prefilter
   MutableImageView next;        // first the predicted colour, then the new history
   const Plane* residual;        // R, G, B: sample minus prediction
   const AliasingMap* aliasing;  // in the adaptive form

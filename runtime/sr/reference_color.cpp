@@ -219,8 +219,12 @@ void PredictReference(const SrJob& job, int begin, int end, SrScratch& scratch) 
     }
   }
   if (job.HasHistory() && WarpsHistory(job.options)) {
+    const MotionView motion = Band{begin, end}.Motion(scratch.motion);
+    const WarpOptions& warp = job.options.warp;
     WarpReferencePixels(
-        {job.history, Band{begin, end}.Motion(scratch.motion), job.options.warp, job.next},
+        PrefiltersHistory(job.options)
+            ? WarpJob(PrefilteredImage{job.history, job.coefficients}, motion, warp, job.next)
+            : WarpJob(job.history, motion, warp, job.next),
         {0, begin, job.x.output(), end});
   }
   for (int y = begin; y < end; ++y) {

@@ -5,6 +5,7 @@
 
 #include "runtime/chosen.h"
 #include "runtime/motion_filter.h"
+#include "runtime/prefilter.h"
 #include "runtime/sr/frame_check.h"
 #include "runtime/sr/passes.h"
 
@@ -46,6 +47,7 @@ struct SuperResolution::State {
   }
 
   MotionView Filtered(const RenderedFrame& frame);
+  void PrefilterHistory();
   void Predict(const SrJob& job);
   void Process(const RenderedFrame& frame, const MutableImageView& out);
 
@@ -58,6 +60,8 @@ struct SuperResolution::State {
   Plane residual[3];                      // in the residual and the adaptive form
   AliasingMap aliasing;                   // in the adaptive form
   ImageBuffer history;                    // where it is warped
+  std::unique_ptr<PrefilterPass> prefilter;
+  ImageBuffer coefficients;  // of the history, with a prefilter
   ImageBuffer next;
   std::unique_ptr<MotionFilter> filter;
   MotionBuffer filtered;
@@ -92,6 +96,12 @@ inline SuperResolution::State::State(const SuperResolutionOptions& chosen, Execu
   if (WarpsHistory(options)) {
     history = ImageBuffer(options.output_width, options.output_height, HistoryFormatOf(options));
   }
+  if (PrefiltersHistory(options)) {
+    prefilter = std::make_unique<PrefilterPass>(PrefilterOf(options.warp), options.output_width,
+                                                options.output_height, executor.Threads());
+    coefficients = ImageBuffer(options.output_width, options.output_height,
+                               CoefficientFormat(HistoryFormatOf(options)));
+  }
   if (FiltersMotion(options)) {
     filter = std::make_unique<MotionFilter>(options.render_width, options.render_height,
                                             MotionFilterOptions{});
@@ -111,6 +121,7 @@ inline SrJob SuperResolution::State::Job() const {
           jitter_y_before,
           has_history,
           history.view(),
+          coefficients.view(),
           {},
           residual,
           &aliasing};
@@ -124,6 +135,16 @@ inline MotionView SuperResolution::State::Filtered(const RenderedFrame& frame) {
     filter->Apply(frame.depth, frame.motion, executor, filtered.view());
   }
   return filtered.view();
+}
+
+inline void SuperResolution::State::PrefilterHistory() {
+  if (!has_history || !PrefiltersHistory(options)) return;
+  const ImageView samples = std::as_const(history).view();
+  if (IsReference(options)) {
+    PrefilterPass::Reference(PrefilterOf(options.warp), samples, coefficients.view());
+  } else {
+    prefilter->Apply(samples, executor, coefficients.view());
+  }
 }
 
 inline void SuperResolution::State::Predict(const SrJob& job) {
@@ -153,6 +174,7 @@ inline void SuperResolution::State::Process(const RenderedFrame& frame,
   });
   SrJob job = Job();
   job.next = next.view();
+  PrefilterHistory();
   Predict(job);
   if (HasResidual(options)) {
     ForBands(render_rows, [&](int begin, int end, SrScratch&) {
@@ -228,9 +250,10 @@ std::size_t SuperResolution::MemoryBytes() const {
   const State& s = *state_;
   std::size_t bytes = s.x.bytes() + s.y.bytes() + s.planes.bytes() + s.nearest_before.bytes() +
                       s.farthest_before.bytes() + 3 * s.residual[0].bytes() + s.aliasing.bytes() +
-                      s.history.bytes() + s.next.bytes() + s.filtered.bytes() +
-                      s.geometry_depth.bytes() + s.geometry_motion.bytes();
+                      s.history.bytes() + s.coefficients.bytes() + s.next.bytes() +
+                      s.filtered.bytes() + s.geometry_depth.bytes() + s.geometry_motion.bytes();
   if (s.filter) bytes += s.filter->MemoryBytes();
+  if (s.prefilter) bytes += s.prefilter->bytes();
   for (const SrScratch& scratch : s.scratch) bytes += scratch.bytes();
   return bytes;
 }

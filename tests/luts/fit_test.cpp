@@ -81,8 +81,8 @@ TEST_F(FitTest, ReadingRefusesAWrongFile) {
 TEST_F(FitTest, ReadingNamesTheField) {
   EXPECT_THAT(SentenceAfter([](auto& j) { j["format"] = "warplut-table"; }),
               HasSubstr("field 'format' is \"warplut-table\"; expected \"warplut-fit\""));
-  EXPECT_THAT(SentenceAfter([](auto& j) { j["version"] = 2; }),
-              HasSubstr("field 'version' is 2; expected 1"));
+  EXPECT_THAT(SentenceAfter([](auto& j) { j["version"] = 3; }),
+              HasSubstr("field 'version' is 3; expected 1 to 2"));
   EXPECT_THAT(SentenceAfter([](auto& j) { j.erase("seed"); }),
               HasSubstr("field 'seed' is missing"));
   EXPECT_THAT(SentenceAfter([](auto& j) { j["data"][0].erase("sha1"); }),

@@ -51,8 +51,23 @@ TEST(RealTable, ContractZerosAreTheBorderOfTheCell) {
   for (int jy = 0; jy <= 32; ++jy) {
     for (int ix = 0; ix <= 32; ++ix) {
       for (int k = 0; k < kWeights; ++k) {
-        EXPECT_EQ(IsContractZero(32, ix, jy, k), table.Row(ix, jy)[k] == 0)
+        EXPECT_EQ(IsContractZero(false, 32, ix, jy, k), table.Row(ix, jy)[k] == 0)
             << ix << " " << jy << " " << k;
+      }
+    }
+  }
+}
+
+TEST(RealTable, ContractZerosAndMirrorsWithAPrefilter) {
+  const RealTable table = SampleFit(WithPrefilter(MakeFit(0.2)), 32);
+  for (int jy = 0; jy <= 32; ++jy) {
+    for (int ix = 0; ix <= 32; ++ix) {
+      for (int k = 0; k < kWeights; ++k) {
+        EXPECT_EQ(IsContractZero(true, 32, ix, jy, k), table.Row(ix, jy)[k] == 0)
+            << ix << " " << jy << " " << k;
+        const int mirror = WeightIndex(MirroredTap(true, 32, ix, k % kTaps),
+                                       MirroredTap(true, 32, jy, k / kTaps));
+        EXPECT_NEAR(table.Row(ix, jy)[k], table.Row(ix, jy)[mirror], 1e-14);
       }
     }
   }

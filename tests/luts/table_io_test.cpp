@@ -117,8 +117,10 @@ TEST_F(TableIoTest, RefusesAnotherFile) {
 }
 
 TEST_F(TableIoTest, RefusesADamagedTable) {
+  EXPECT_THAT(SentenceAfter([](auto& j) { j["version"] = 3; }),
+              HasSubstr("field 'version' is 3; expected 1 to 2"));
   EXPECT_THAT(SentenceAfter([](auto& j) { j["version"] = 2; }),
-              HasSubstr("field 'version' is 2; expected 1"));
+              HasSubstr("field 'prefilter' is missing"));
   EXPECT_THAT(SentenceAfter([](auto& j) { j["nodes"] = 16; }),
               HasSubstr("field 'nodes' is 16; expected 32"));
   EXPECT_THAT(SentenceAfter([](auto& j) { j["scale"] = 0; }),

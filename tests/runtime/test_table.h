@@ -1,4 +1,4 @@
-// Tables for tests: Keys weights on the grid of a format, rows closed exactly.
+// Tables for tests: the weights of a closed form on the grid of a format, rows closed exactly.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,19 @@ namespace warplut {
 struct TestTable {
   std::vector<std::byte> bytes;
   TableFormat format;
+  Prefilter prefilter = {};
 
-  TableView view() const { return {format, bytes.data()}; }
+  TableView view() const { return {format, bytes.data(), prefilter}; }
 };
 
-inline TestTable MakeKeysTable(TableFormat format, double a = -0.58) {
+// `weights(dx, dy)` gives those of an offset.
+template <class WeightsAt>
+TestTable MakeTestTable(TableFormat format, const WeightsAt& weights) {
   const std::size_t size = BytesPerWeight(format);
   TestTable table{std::vector<std::byte>(kTableValues * size), format};
   const double one = std::ldexp(1.0, FractionBits(format));
   for (int row = 0; row < kRows; ++row) {
-    const auto w = KeysWeights(a, NodeOffset(row % kNodes), NodeOffset(row / kNodes));
+    const Weights<double> w = weights(NodeOffset(row % kNodes), NodeOffset(row / kNodes));
     Weights<long> stored;
     long rest = static_cast<long>(one);
     for (int k = 0; k < kWeights; ++k) {
@@ -52,6 +55,18 @@ inline TestTable MakeKeysTable(TableFormat format, double a = -0.58) {
       }
     }
   }
+  return table;
+}
+
+inline TestTable MakeKeysTable(TableFormat format, double a = -0.58) {
+  return MakeTestTable(format, [a](double dx, double dy) { return KeysWeights(a, dx, dy); });
+}
+
+// With the recursive prefilter of its side.
+inline TestTable MakeSplineTable(TableFormat format, double k) {
+  TestTable table =
+      MakeTestTable(format, [k](double dx, double dy) { return SplineWeights(k, dx, dy); });
+  table.prefilter = {.kind = PrefilterKind::kRecursive, .side = static_cast<float>(SplineSide(k))};
   return table;
 }
 

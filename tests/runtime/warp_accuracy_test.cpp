@@ -19,14 +19,14 @@ struct Size {
 };
 
 // Counts channels that differ at all; fails for those that differ by more than the documented
-// bound. Values of float formats must lie in [-2, 2].
-int CountDifferent(const TestImage& fast, const TestImage& reference) {
+// bound. `largest` is that of the texels, or coefficients.
+int CountDifferent(const TestImage& fast, const TestImage& reference, float largest) {
   int different = 0;
   for (int y = 0; y < fast.height(); ++y) {
     for (int x = 0; x < fast.width(); ++x) {
       for (int c = 0; c < Channels(fast.format()); ++c) {
         const float expected = reference.Get(x, y, c);
-        float bound = 2 * kWarpFloatBound;
+        float bound = largest * kWarpFloatBound;
         if (fast.format() == PixelFormat::kRgba8) bound = kWarpRgba8Bound;
         if (fast.format() == PixelFormat::kRgba16F)
           bound += 0x1p-10f * std::max(std::abs(expected), 0x1p-14f);
@@ -43,6 +43,9 @@ int CountDifferent(const TestImage& fast, const TestImage& reference) {
   return different;
 }
 
+// A filter that reads samples and one that reads coefficients.
+constexpr WarpOptions kBothKinds[] = {{.filter = Filter::kCatmullRom}, {.filter = Filter::kSpline}};
+
 class WarpAccuracy : public testing::TestWithParam<PixelFormat> {};
 
 TEST_P(WarpAccuracy, RandomMotionOfEverySize) {
@@ -57,12 +60,13 @@ TEST_P(WarpAccuracy, RandomMotionOfEverySize) {
       for (const TestFilter& filter : TestFilters(&table)) {
         SCOPED_TRACE(filter.name + " " + std::to_string(size.width) + " x " +
                      std::to_string(size.height));
+        const TestHistory read(history, filter.options);
         TestImage reference(size.width, size.height, GetParam(), padding);
-        WarpReference(history.history(), motion.view(), filter.options, reference.view());
+        read.ReferenceTo(motion.view(), filter.options, reference);
         ForEachTarget([&] {
           TestImage fast(size.width, size.height, GetParam(), padding);
-          Warp(history.history(), motion.view(), filter.options, fast.view());
-          CountDifferent(fast, reference);
+          read.WarpTo(motion.view(), filter.options, fast);
+          CountDifferent(fast, reference, read.Largest());
         });
       }
     }
@@ -80,25 +84,25 @@ TEST_P(WarpAccuracy, UniformAndWholeMotion) {
     const TestMotion motion(151, 41, mx, my);
     for (const TestFilter& filter : TestFilters(&table)) {
       SCOPED_TRACE(filter.name + " " + std::to_string(mx) + " " + std::to_string(my));
+      const TestHistory read(history, filter.options);
       TestImage reference(151, 41, GetParam());
-      WarpReference(history.history(), motion.view(), filter.options, reference.view());
+      read.ReferenceTo(motion.view(), filter.options, reference);
       ForEachTarget([&] {
         TestImage fast(151, 41, GetParam());
-        const WarpStats stats = Warp(history.history(), motion.view(), filter.options, fast.view());
+        const WarpStats stats = read.WarpTo(motion.view(), filter.options, fast);
         EXPECT_EQ(stats[MotionKind::kGeneral], 0);
-        CountDifferent(fast, reference);
+        CountDifferent(fast, reference, read.Largest());
         WarpOptions general = filter.options;
         general.general_only = true;
-        const WarpStats all_general = Warp(history.history(), motion.view(), general, fast.view());
+        const WarpStats all_general = read.WarpTo(motion.view(), general, fast);
         EXPECT_EQ(all_general[MotionKind::kGeneral], 9);
-        CountDifferent(fast, reference);
+        CountDifferent(fast, reference, read.Largest());
       });
     }
   }
 }
 
 TEST_P(WarpAccuracy, UniformMotionOfNarrowAndLowImages) {
-  const WarpOptions options;
   for (const Size size :
        {Size{1, 1}, {2, 5}, {5, 3}, {16, 7}, {19, 4}, {63, 8}, {67, 9}, {70, 13}}) {
     TestImage history(size.width, size.height, GetParam());
@@ -107,13 +111,16 @@ TEST_P(WarpAccuracy, UniformMotionOfNarrowAndLowImages) {
       SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", motion " +
                    std::to_string(mx));
       const TestMotion motion(size.width, size.height, mx, 0.7f);
-      TestImage reference(size.width, size.height, GetParam());
-      WarpReference(history.history(), motion.view(), options, reference.view());
-      ForEachTarget([&] {
-        TestImage fast(size.width, size.height, GetParam());
-        Warp(history.history(), motion.view(), options, fast.view());
-        CountDifferent(fast, reference);
-      });
+      for (const WarpOptions& options : kBothKinds) {
+        const TestHistory read(history, options);
+        TestImage reference(size.width, size.height, GetParam());
+        read.ReferenceTo(motion.view(), options, reference);
+        ForEachTarget([&] {
+          TestImage fast(size.width, size.height, GetParam());
+          read.WarpTo(motion.view(), options, fast);
+          CountDifferent(fast, reference, read.Largest());
+        });
+      }
     }
   }
 }
@@ -164,19 +171,21 @@ TEST_P(WarpAccuracy, MotionThatIsNotFiniteOrFarOrTiny) {
   for (int i = 0; i < kCount * kCount; ++i) {
     for (int y = 0; y < 9; ++y) motion.Set(i, y, kUnusual[i % kCount], kUnusual[i / kCount]);
   }
-  const WarpOptions options;
-  TestImage reference(kCount * kCount, 9, GetParam());
-  WarpReference(history.history(), motion.view(), options, reference.view());
-  for (int y = 0; y < 9; ++y) {
-    for (int c = 0; c < Channels(GetParam()); ++c) {
-      EXPECT_EQ(reference.Get(0, y, c), history.Get(0, y, c)) << "NaN counts as zero";
+  for (const WarpOptions& options : kBothKinds) {
+    const TestHistory read(history, options);
+    TestImage reference(kCount * kCount, 9, GetParam());
+    read.ReferenceTo(motion.view(), options, reference);
+    for (int y = 0; y < 9; ++y) {
+      for (int c = 0; c < Channels(GetParam()); ++c) {
+        EXPECT_EQ(reference.Get(0, y, c), history.Get(0, y, c)) << "NaN counts as zero";
+      }
     }
+    ForEachTarget([&] {
+      TestImage fast(kCount * kCount, 9, GetParam());
+      read.WarpTo(motion.view(), options, fast);
+      CountDifferent(fast, reference, read.Largest());
+    });
   }
-  ForEachTarget([&] {
-    TestImage fast(kCount * kCount, 9, GetParam());
-    Warp(history.history(), motion.view(), options, fast.view());
-    CountDifferent(fast, reference);
-  });
 }
 
 TEST_P(WarpAccuracy, RowsInPartsAndTilesGivenAreTheSameBits) {
@@ -186,14 +195,19 @@ TEST_P(WarpAccuracy, RowsInPartsAndTilesGivenAreTheSameBits) {
   history.Randomise(3);
   TestMotion motion(kWidth, kHeight, 0.3f, 0.7f);
   for (int y = kTileHeight; y < kTileHeight + 20; ++y) motion.Set(70, y, 1.5f, 0.1f * y);
-  const WarpOptions options;
   ForEachTarget([&] {
+    for (const WarpOptions& options : kBothKinds) {
+      const TestHistory read(history, options);
+      TestImage whole(kWidth, kHeight, GetParam());
+      read.WarpTo(motion.view(), options, whole);
+      TestImage parts(kWidth, kHeight, GetParam());
+      read.WarpRowsTo(motion.view(), options, 2 * kTileHeight, kHeight, parts);
+      read.WarpRowsTo(motion.view(), options, 0, 2 * kTileHeight, parts);
+      EXPECT_EQ(whole, parts);
+    }
+    const WarpOptions options;
     TestImage whole(kWidth, kHeight, GetParam());
     Warp(history.history(), motion.view(), options, whole.view());
-    TestImage parts(kWidth, kHeight, GetParam());
-    WarpRows(history.history(), motion.view(), options, 2 * kTileHeight, kHeight, parts.view());
-    WarpRows(history.history(), motion.view(), options, 0, 2 * kTileHeight, parts.view());
-    EXPECT_EQ(whole, parts);
     TestImage tiled(kWidth, kHeight, GetParam());
     Warp(history.history(), motion.view(), MotionTiles(motion.view()), options, tiled.view());
     EXPECT_EQ(whole, tiled);
@@ -213,13 +227,14 @@ TEST(WarpAccuracyRgba8, NearestLookupIsExactOnEveryTarget) {
     const Table table(stored.view());
     for (const TestFilter& filter : TestFilters(&table)) {
       SCOPED_TRACE(std::string(Name(format)) + " " + filter.name);
+      const TestHistory read(history, filter.options);
       TestImage reference(200, 120, PixelFormat::kRgba8);
-      WarpReference(history.history(), motion.view(), filter.options, reference.view());
+      read.ReferenceTo(motion.view(), filter.options, reference);
       const bool exact = filter.name == "lut nearest" && format != TableFormat::kF32;
       ForEachTarget([&] {
         TestImage fast(200, 120, PixelFormat::kRgba8);
-        Warp(history.history(), motion.view(), filter.options, fast.view());
-        const int different = CountDifferent(fast, reference);
+        read.WarpTo(motion.view(), filter.options, fast);
+        const int different = CountDifferent(fast, reference, read.Largest());
         EXPECT_LE(different, exact ? 0 : 200 * 120 * 4 / 1000);
       });
     }

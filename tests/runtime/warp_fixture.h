@@ -11,6 +11,7 @@
 
 #include "runtime/instruction_sets.h"
 #include "runtime/pixel.h"
+#include "runtime/prefilter.h"
 #include "runtime/warp.h"
 #include "tests/runtime/test_table.h"
 
@@ -112,26 +113,90 @@ class TestMotion {
   int height_;
 };
 
-// Every filter of the registry; those that need a table with both lookups.
+// An image as a filter reads it: with its coefficients if the filter has a prefilter. Holds a copy.
+class TestHistory {
+ public:
+  TestHistory(const TestImage& samples, const WarpOptions& options)
+      : samples_(samples), coefficients_(samples) {
+    const Prefilter prefilter = PrefilterOf(options);
+    if (!HasPrefilter(prefilter)) return;
+    prefiltered_ = true;
+    const int width = samples.width();
+    const int height = samples.height();
+    coefficients_ = TestImage(width, height, CoefficientFormat(samples.format()), 16);
+    SerialExecutor executor;
+    PrefilterPass(prefilter, width, height, 1)
+        .Apply(samples_.view(), executor, coefficients_.view());
+  }
+
+  // The largest |channel| of what is weighed; those that are not finite do not count.
+  float Largest() const {
+    float largest = 0;
+    for (int y = 0; y < coefficients_.height(); ++y) {
+      for (int x = 0; x < coefficients_.width(); ++x) {
+        for (int c = 0; c < Channels(coefficients_.format()); ++c) {
+          const float value = std::abs(coefficients_.Get(x, y, c));
+          if (std::isfinite(value)) largest = std::max(largest, value);
+        }
+      }
+    }
+    return largest;
+  }
+
+  WarpStats WarpTo(const MotionView& motion, const WarpOptions& options, TestImage& out) const {
+    if (prefiltered_) return Warp(Image(), motion, options, out.view());
+    return Warp(samples_.view(), motion, options, out.view());
+  }
+  void WarpRowsTo(const MotionView& motion, const WarpOptions& options, int first_row, int last_row,
+                  TestImage& out) const {
+    if (prefiltered_) {
+      WarpRows(Image(), motion, options, first_row, last_row, out.view());
+    } else {
+      WarpRows(samples_.view(), motion, options, first_row, last_row, out.view());
+    }
+  }
+  void ReferenceTo(const MotionView& motion, const WarpOptions& options, TestImage& out) const {
+    if (prefiltered_) {
+      WarpReference(Image(), motion, options, out.view());
+    } else {
+      WarpReference(samples_.view(), motion, options, out.view());
+    }
+  }
+
+ private:
+  PrefilteredImage Image() const { return {samples_.view(), coefficients_.view()}; }
+
+  TestImage samples_;
+  TestImage coefficients_;
+  bool prefiltered_ = false;
+};
+
+// Every filter of the registry. Those that need a table come with both lookups, each also with a
+// table that has a prefilter.
 struct TestFilter {
   std::string name;
   WarpOptions options;
 };
 
 inline std::vector<TestFilter> TestFilters(const Table* table) {
+  static const TestTable stored_spline = MakeSplineTable(TableFormat::kI16, kOMomsK / 2);
+  static const Table spline_table(stored_spline.view());
   std::vector<TestFilter> filters;
   for (const FilterInfo& info : kFilters) {
     WarpOptions options;
     options.filter = info.filter;
     if (info.needs_a) options.keys_a = -0.62f;
+    if (info.needs_k) options.spline_k = static_cast<float>(kOMomsK);
     if (!info.needs_table) {
       filters.push_back({info.name, options});
       continue;
     }
-    options.table = table;
     for (const Lookup lookup : {Lookup::kNearest, Lookup::kBilinear}) {
       options.lookup = lookup;
+      options.table = table;
       filters.push_back({std::string(info.name) + " " + Name(lookup), options});
+      options.table = &spline_table;
+      filters.push_back({std::string("prefiltered ") + info.name + " " + Name(lookup), options});
     }
   }
   return filters;

@@ -50,7 +50,7 @@ TEST_P(WarpProperty, ZeroMotionIsACopy) {
         WarpOptions options = filter.options;
         options.general_only = general;
         TestImage out(kWidth, kHeight, GetParam());
-        Warp(history.history(), still.view(), options, out.view());
+        TestHistory(history, options).WarpTo(still.view(), options, out);
         EXPECT_EQ(out, history);
       }
     });
@@ -66,7 +66,7 @@ TEST_P(WarpProperty, StaticPixelsAmongMovingOnesAreCopied) {
   for (const TestFilter& filter : TestFilters(&table)) {
     ForEachTarget([&] {
       TestImage out(kWidth, kHeight, GetParam());
-      Warp(history.history(), motion.view(), filter.options, out.view());
+      TestHistory(history, filter.options).WarpTo(motion.view(), filter.options, out);
       for (int y = 0; y < kHeight; ++y) {
         for (int c = 0; c < Channels(GetParam()); ++c) {
           ASSERT_EQ(out.Get(y, y, c), history.Get(y, y, c)) << filter.name;
@@ -94,14 +94,14 @@ TEST_P(WarpProperty, FlipCommutes) {
     }
   }
   // Weights of the table are on a grid, and its closed rows need not be symmetric to the last unit.
-  const float bound = GetParam() == PixelFormat::kRgba8     ? 1.0f
-                      : GetParam() == PixelFormat::kRgba16F ? 0x1p-8f
-                                                            : 0x1p-9f;
+  const float unit = GetParam() == PixelFormat::kRgba16F ? 0x1p-9f : 0x1p-10f;
   for (const TestFilter& filter : TestFilters(&table)) {
     TestImage out(kWidth, kHeight, GetParam());
     TestImage flipped_out(kWidth, kHeight, GetParam());
-    Warp(history.history(), motion.view(), filter.options, out.view());
-    Warp(flipped.history(), flipped_motion.view(), filter.options, flipped_out.view());
+    const TestHistory read(history, filter.options);
+    const float bound = GetParam() == PixelFormat::kRgba8 ? 1 : unit * read.Largest();
+    read.WarpTo(motion.view(), filter.options, out);
+    TestHistory(flipped, filter.options).WarpTo(flipped_motion.view(), filter.options, flipped_out);
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         for (int c = 0; c < Channels(GetParam()); ++c) {
@@ -121,11 +121,38 @@ TEST_P(WarpProperty, FarOutsideTheBorderTexelRepeats) {
       for (const float far : {200.5f, 1e6f, 1e30f}) {
         const TestMotion motion(kWidth, kHeight, far, -far);
         TestImage out(kWidth, kHeight, GetParam());
-        Warp(history.history(), motion.view(), filter.options, out.view());
+        TestHistory(history, filter.options).WarpTo(motion.view(), filter.options, out);
         for (int c = 0; c < Channels(GetParam()); ++c) {
           ASSERT_NEAR(out.Get(40, 11, c), history.Get(0, kHeight - 1, c), 1e-5f) << filter.name;
         }
       }
+    });
+  }
+}
+
+// A position beyond the centres of the outermost pixels reads what one on them does.
+TEST_P(WarpProperty, PrefilteredPositionsAreMovedToTheOutermostCentres) {
+  TestImage history(kWidth, kHeight, GetParam());
+  history.Randomise(1);
+  for (const TestFilter& filter : TestFilters(&table)) {
+    if (!HasPrefilter(PrefilterOf(filter.options))) continue;
+    SCOPED_TRACE(filter.name);
+    const TestHistory read(history, filter.options);
+    TestMotion far(kWidth, kHeight);
+    TestMotion moved(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const float mx = x % 2 == 0 ? x + 0.4f : x - (kWidth - 1) - 0.7f;
+        far.Set(x, y, mx, 0.3f);
+        moved.Set(x, y, x % 2 == 0 ? x : x - (kWidth - 1), y == 0 ? 0 : 0.3f);
+      }
+    }
+    ForEachTarget([&] {
+      TestImage out(kWidth, kHeight, GetParam());
+      TestImage expected(kWidth, kHeight, GetParam());
+      read.WarpTo(far.view(), filter.options, out);
+      read.WarpTo(moved.view(), filter.options, expected);
+      EXPECT_EQ(out, expected);
     });
   }
 }
@@ -141,7 +168,7 @@ TEST_P(WarpProperty, WritesOnlyPixels) {
       options.general_only = general;
       ForEachTarget([&] {
         TestImage out(kWidth, kHeight, GetParam(), 64);
-        Warp(history.history(), motion.view(), options, out.view());
+        TestHistory(history, options).WarpTo(motion.view(), options, out);
         for (int y = 0; y < kHeight; ++y) {
           const std::byte* end = out.view().Row<std::byte>(y) + kWidth * BytesPerPixel(GetParam());
           for (int i = 0; i < 64; ++i) ASSERT_EQ(end[i], std::byte{0xA5});

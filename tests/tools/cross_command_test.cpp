@@ -75,7 +75,8 @@ TEST(SrCross, WeightsOfATableAreThoseOfItsFirstOctant) {
   const RealTable keys =
       SampleWeights("keys", kNodes, [](double dx, double dy) { return KeysWeights(-0.6, dx, dy); });
   const CanonicalWeights<double> expected = KeysCanonicalWeights(-0.6);
-  const CanonicalWeights<double> weights = CanonicalTableWeights(Quantize(keys, TableFormat::kI16));
+  const CanonicalWeights<double> weights =
+      TableResampler(Quantize(keys, TableFormat::kI16)).weights;
   for (int c = 0; c < kCanonicalNodes; ++c) {
     for (int k = 0; k < kWeights; ++k) EXPECT_NEAR(weights[c][k], expected[c][k], 3e-4);
   }

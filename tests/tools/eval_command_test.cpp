@@ -38,12 +38,28 @@ TEST_F(EvalCommand, ATableOfCatmullRomScoresLikeIt) {
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(result.err.empty()) << result.err;
   const auto document = nlohmann::json::parse(result.out);
-  ASSERT_EQ(document["protocols"].size(), 4U);
-  for (std::size_t i = 0; i < 4; ++i) {
+  ASSERT_EQ(document["protocols"].size(), 6U) << "half, random and pan";
+  for (std::size_t i = 0; i < 6; ++i) {
     const double lut = document["judged"]["ssim"][i];
     EXPECT_GT(lut, document["others"][0]["ssim"][i].get<double>()) << "bilinear";
     EXPECT_NEAR(lut, document["others"][1]["ssim"][i].get<double>(), 1e-3) << "catmull-rom";
   }
+}
+
+TEST_F(EvalCommand, ComparesWithSplinesAndSixTaps) {
+  const std::vector<std::string> against = {"spline:1/84", "o-moms", "kaiser6:4.5", "lanczos3",
+                                            "best-spline"};
+  const ProgramResult result =
+      RunWarplut({"eval", "--lut", Path("zero.json"), "--images", Path("image.png"), "--warps", "2",
+                  "--against", "spline:1/84,o-moms,kaiser6:4.5", "lanczos3,best-spline", "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto others = nlohmann::json::parse(result.out)["others"];
+  ASSERT_EQ(others.size(), against.size());
+  for (std::size_t i = 0; i < against.size(); ++i) {
+    EXPECT_EQ(others[i]["filter"], against[i]);
+    EXPECT_GT(others[i]["mean"].get<double>(), 0.9) << against[i];
+  }
+  EXPECT_EQ(others[4]["spline_k"].size(), 3U);
 }
 
 TEST_F(EvalCommand, TheSameForAnyNumberOfThreads) {
@@ -68,6 +84,9 @@ TEST_F(EvalCommand, BakesThatItReadsBackAndPictures) {
 TEST_F(EvalCommand, AMissedTargetIsThree) {
   EXPECT_EQ(RunWarplut(Eval({"--target", "bilinear,0"})).code, 0);
   EXPECT_EQ(RunWarplut(Eval({"--target", "catmull-rom,0.5,random"})).code, 3);
+  EXPECT_EQ(RunWarplut(Eval({"--target", "bilinear,0,mean"})).code, 0);
+  EXPECT_EQ(RunWarplut(Eval({"--target", "bilinear,0,pan,2"})).code, 0);
+  EXPECT_EQ(RunWarplut(Eval({"--target", "catmull-rom,0.5,mean"})).code, 3);
   ExpectRefused(RunWarplut(Eval({"--target", "best-keys,0"})), 1, "best-keys");
   ExpectRefused(RunWarplut(Eval({"--target", "bilinear"})), 1, "bilinear");
 }
@@ -75,7 +94,9 @@ TEST_F(EvalCommand, AMissedTargetIsThree) {
 TEST_F(EvalCommand, RefusesWhatMakesNoSense) {
   ExpectRefused(RunWarplut(Eval({"--against", "lanczos"})), 1, "lanczos");
   ExpectRefused(RunWarplut(Eval({"--against", "keys:-7"})), 1, "keys:-7");
+  ExpectRefused(RunWarplut(Eval({"--against", "spline:1"})), 1, "spline:1");
   ExpectRefused(RunWarplut(Eval({"--warps", "3"})), 1, "--warps has 3");
+  ExpectRefused(RunWarplut(Eval({"--warps", "1", "--offsets", "pan"})), 1, "--warps has 1");
   ExpectRefused(RunWarplut(Eval({"--crop", "10"})), 1, "--crop is 10");
   ExpectRefused(RunWarplut(Eval({"--images", WriteWavyImage(Path("small.png"), 42, 60)})), 2,
                 "small.png");

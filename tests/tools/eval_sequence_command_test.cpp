@@ -57,6 +57,20 @@ TEST_F(EvalSequenceCommand, PrintsATableForEachSequenceAndTheMean) {
   EXPECT_THAT(result.out, HasSubstr("| sr-sample |"));
 }
 
+TEST_F(EvalSequenceCommand, PrintsSettledMeansBesideThoseOfAllFrames) {
+  const ProgramResult result = RunWarplut(Eval({"--modes", "sr", "--settled", "2", "--json"}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto sr = nlohmann::json::parse(result.out)["sequences"][0]["methods"][0];
+  ASSERT_EQ(sr["frames"].size(), 5U);
+  double sum = 0;
+  for (int i = 2; i < 5; ++i) sum += sr["frames"][i]["ssim"].get<double>();
+  EXPECT_NEAR(sr["settled"]["ssim"].get<double>(), sum / 3, 1e-12);
+  EXPECT_EQ(sr["settled"]["left_out"], 2);
+  EXPECT_THAT(RunWarplut(Eval({"--settled", "2", "--markdown"})).out, HasSubstr("without 2: PSNR"));
+  ExpectRefused(RunWarplut(Eval({"--settled", "5"})), 2, "leaves out 5 frames");
+  ExpectRefused(RunWarplut(Eval({"--settled", "0"})), 1, "");
+}
+
 TEST_F(EvalSequenceCommand, AMissedTargetIsThree) {
   EXPECT_EQ(RunWarplut(Eval({"--target", "sr,20,.5"})).code, 0);
   const ProgramResult missed = RunWarplut(Eval({"--target", "sr,99,.5"}));
@@ -83,6 +97,7 @@ TEST_F(EvalSequenceCommand, WritesPictures) {
 TEST_F(EvalSequenceCommand, RefusesWhatMakesNoSense) {
   ExpectRefused(RunWarplut({"eval"}), 1, "--images or --sequence");
   ExpectRefused(RunWarplut({"eval", "--images", Path("pan")}), 1, "--lut");
+  ExpectRefused(RunWarplut({"eval", "--images", Path("pan"), "--settled", "1"}), 1, "--sequence");
   ExpectRefused(RunWarplut(Eval({"--images", Path("pan")})), 1, "");
   ExpectRefused(RunWarplut(Eval({"--modes", "sr,srr"})), 1, "'srr'");
   ExpectRefused(RunWarplut(Eval({"--every", "1"})), 1, "");

@@ -88,6 +88,11 @@ TEST_F(RunCommand, ScoresWhatItWrites) {
   EXPECT_EQ(document["filter"], "catmull-rom");
   EXPECT_EQ(document["files"].size(), 6U);
   EXPECT_GT(document["scores"]["methods"][0]["psnr"].get<double>(), 20);
+  EXPECT_THAT(RunWarplut(Arguments("sr", {"--score", "--settled", "3"})).out,
+              HasSubstr("mean without 3"));
+  ExpectRefused(RunWarplut(Arguments("sr", {"--score", "--settled", "5"})), kFailed,
+                "leaves out 5 frames");
+  ExpectRefused(RunWarplut(Arguments("sr", {"--settled", "3"})), kUsage, "--score");
   ExpectRefused(RunWarplut(Arguments("i", {"--score"})), kFailed, "showed no frame");
 }
 

@@ -40,6 +40,41 @@ TEST(SequenceReport, TablesShowWhatThereIs) {
             "| mean | 30.00 | 0.9500 | 0.0125 |\n");
 }
 
+SequenceReport SettledReport(double psnr) {
+  SequenceReport report = Report(psnr);
+  for (SequenceScores& scores : report.methods) {
+    scores.settled = {
+        .left_out = 1,
+        .mean = {.name = "mean", .mean_squared_error = 0, .psnr = psnr + 1, .ssim = 0.96},
+        .temporal_error = 0.01};
+  }
+  return report;
+}
+
+TEST(SequenceReport, BothMeansAreShown) {
+  EXPECT_EQ(
+      ToMarkdown(MethodTable(SettledReport(31))),
+      "| street | PSNR dB | SSIM | temporal | without 1: PSNR dB | SSIM | temporal | ms/frame |\n"
+      "|---|---:|---:|---:|---:|---:|---:|---:|\n"
+      "| sr | 31.00 | 0.9500 | 0.0125 | 32.00 | 0.9600 | 0.0100 | 12.3 |\n"
+      "| repeat | 31.00 | 0.9500 | - | 32.00 | 0.9600 | 0.0100 | - |\n");
+  EXPECT_THAT(ToMarkdown(FrameTable(SettledReport(31).methods[0])),
+              testing::HasSubstr("| mean | 31.00 | 0.9500 | 0.0125 |\n"
+                                 "| mean without 1 | 32.00 | 0.9600 | 0.0100 |\n"));
+  const SequenceReport mean = MeanReport({SettledReport(30), SettledReport(33)});
+  ASSERT_TRUE(mean.methods[0].settled);
+  EXPECT_EQ(mean.methods[0].settled->left_out, 1);
+  EXPECT_DOUBLE_EQ(mean.methods[0].settled->mean.psnr, 32.5);
+  EXPECT_DOUBLE_EQ(mean.methods[0].settled->temporal_error, 0.01);
+  const auto json = ToJson(SettledReport(31));
+  EXPECT_EQ(json["methods"][0]["psnr"], 31.0);
+  EXPECT_EQ(json["methods"][0]["settled"]["left_out"], 1);
+  EXPECT_EQ(json["methods"][0]["settled"]["psnr"], 32.0);
+  EXPECT_EQ(json["methods"][0]["settled"]["ssim"], 0.96);
+  EXPECT_EQ(json["methods"][0]["settled"]["temporal_error"], 0.01);
+  EXPECT_FALSE(ToJson(Report(31))["methods"][0].contains("settled"));
+}
+
 TEST(SequenceReport, TheMeanIsOverSequences) {
   const SequenceReport mean = MeanReport({Report(30), Report(32)});
   EXPECT_EQ(mean.sequence, "mean");

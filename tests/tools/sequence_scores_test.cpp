@@ -102,6 +102,28 @@ TEST_F(SequenceScoresTest, LeavesOutTheBorder) {
   }
 }
 
+TEST_F(SequenceScoresTest, SettledMeansLeaveOutTheFirstFrames) {
+  const auto scores_of = [&](int settled) {
+    SequenceJudge judge(truth_, *FindMethod("sr"), kScoreBorder, settled);
+    for (int f = 0; f < 6; ++f) Show(judge, f, f < 4 ? 0.25f : f == 4 ? 0.125f : 0.0625f);
+    return judge.Finish();
+  };
+  EXPECT_FALSE(scores_of(0).settled);
+  const SequenceScores scores = scores_of(3);  // of the frames 1 to 5 the last two are left
+  ASSERT_TRUE(scores.settled);
+  EXPECT_EQ(scores.settled->left_out, 3);
+  EXPECT_EQ(scores.frames.size(), 5U);
+  EXPECT_NEAR(scores.settled->mean.psnr, -10 * (std::log10(0.125) + std::log10(0.0625)), 1e-4);
+  EXPECT_DOUBLE_EQ(scores.settled->mean.ssim, (scores.frames[3].ssim + scores.frames[4].ssim) / 2);
+  EXPECT_EQ(scores.mean.psnr, scores_of(0).mean.psnr) << "all frames";
+  // The pairs 3, 4 and 4, 5.
+  EXPECT_NEAR(scores.settled->temporal_error, std::sqrt((0.125 * 0.125 + 0.0625 * 0.0625) / 2),
+              1e-4);
+  EXPECT_NEAR(scores_of(4).settled->temporal_error, 0.0625, 1e-6);
+  ExpectError([&] { scores_of(5); },
+              {"leaves out 5 frames", "method sr is judged by 5 of 'pan'", "at least one more"});
+}
+
 TEST_F(SequenceScoresTest, RefusesWhatCannotBeJudged) {
   SequenceJudge judge(truth_, *FindMethod("i"));
   Show(judge, 0, 0);

@@ -53,13 +53,26 @@ TEST(WarpProtocol, KeysIsCatmullRomAtMinusOneHalf) {
   EXPECT_NEAR(Score("keys:-0.5", protocol, images), Score("catmull-rom", protocol, images), 1e-6);
 }
 
-TEST(WarpProtocol, BestKeysIsAtLeastAsGoodAsAnyOther) {
+TEST(WarpProtocol, TheBestOfAFamilyIsAtLeastAsGoodAsAnyOther) {
   const std::vector<Image> images = {WavyImage(64, 64, 1)};
   const std::vector<Protocol> protocols = {{.warps = 6, .offsets = Offsets::kHalf}};
-  const FilterScores best = ScoreBestKeys(protocols, images, kOptions);
-  ASSERT_EQ(best.keys_a.size(), 1U);
-  for (const char* other : {"keys:-0.5", "keys:-0.6", "keys:-0.8", "keys:-0.95"}) {
-    EXPECT_GE(best.ssim[0] + 1e-4, Score(other, protocols[0], images)) << other;
+  const auto expect_best = [&](const char* family, const std::vector<const char*>& others) {
+    const FilterScores best = ScoreNamed(family, protocols, images, kOptions);
+    ASSERT_EQ(best.parameters.size(), 1U) << family;
+    EXPECT_EQ(best.family, FindFamily(family));
+    for (const char* other : others) {
+      EXPECT_GE(best.ssim[0] + 1e-4, Score(other, protocols[0], images)) << other;
+    }
+  };
+  expect_best(kBestKeys, {"keys:-0.5", "keys:-0.6", "keys:-0.8", "keys:-0.95"});
+  expect_best(kBestSpline, {"spline:0", "spline:1/84", "o-moms", "spline:0.05"});
+}
+
+TEST(WarpProtocol, APanOfAnyLengthEndsWhereItBegan) {
+  const std::vector<Image> images = {WavyImage(80, 80, 1)};
+  for (const int warps : {5, 6, 12}) {
+    const Protocol pan{.warps = warps, .offsets = Offsets::kPan};
+    EXPECT_GT(Score("spline:1/84", pan, images), 0.99) << warps;
   }
 }
 

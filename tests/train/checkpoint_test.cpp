@@ -29,7 +29,7 @@ TEST(Checkpoint, RoundTripKeepsEveryBit) {
   const auto path = folder.path() / "c.checkpoint";
   const Checkpoint written = Make();
   WriteCheckpoint(path, written);
-  const Checkpoint read = ReadCheckpoint(path, written.made_for);
+  const Checkpoint read = ReadCheckpoint(path, written.made_for, written.parameters.size());
   EXPECT_EQ(read.stage, written.stage);
   EXPECT_EQ(read.seconds, written.seconds);
   EXPECT_EQ(read.evaluations, written.evaluations);
@@ -47,14 +47,14 @@ TEST(Checkpoint, RefusesDamageAndOtherTrainings) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "c.checkpoint";
   WriteCheckpoint(path, Make());
-  ExpectError([&] { ReadCheckpoint(path, "other options"); },
+  ExpectError([&] { ReadCheckpoint(path, "other options", kMlpParameters); },
               {"c.checkpoint", "other options or data"});
   const std::string text = ReadFile(path);
   WriteFile(path, text.substr(0, text.size() / 2));
-  ExpectError([&] { ReadCheckpoint(path, "these options"); }, {"c.checkpoint"});
-  ExpectError([&] { ReadCheckpoint(folder.path() / "none", "x"); }, {"none"});
+  ExpectError([&] { ReadCheckpoint(path, "these options", kMlpParameters); }, {"c.checkpoint"});
+  ExpectError([&] { ReadCheckpoint(folder.path() / "none", "x", kMlpParameters); }, {"none"});
   WriteFile(path, "{\"format\": \"warplut-checkpoint\", \"version\": 9}");
-  ExpectError([&] { ReadCheckpoint(path, "x"); }, {"version"});
+  ExpectError([&] { ReadCheckpoint(path, "x", kMlpParameters); }, {"version"});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "train/keys_search.h"
 #include "train/noise_image.h"
+#include "train/spline_family.h"
 
 namespace warplut {
 namespace {
@@ -78,7 +79,7 @@ TEST(Rollout, GradientEqualsDifferences) {
     CanonicalWeights<double> weights = KeysCanonicalWeights(-0.55);
     const std::array<double, 2> factors = {1.0, 0.5};
     c.Losses(weights);
-    CanonicalWeights<double> gradient{};
+    Resampler gradient;
     c.workspace.Backward(c.rollout, factors, weights, gradient);
     const auto total = [&] {
       const auto losses = c.Losses(weights);
@@ -95,11 +96,55 @@ TEST(Rollout, GradientEqualsDifferences) {
         const double below = total();
         weights[node][k] = saved;
         const double expected = (above - below) / (2 * h);
-        EXPECT_NEAR(gradient[node][k], expected, 0.01 * std::abs(expected) + 2e-3)
+        EXPECT_NEAR(gradient.weights[node][k], expected, 0.01 * std::abs(expected) + 2e-3)
             << with_samples << " " << step << " " << k;
       }
     }
   }
+}
+
+// Weights, side and taps; differences in float need a step that is large.
+TEST(Rollout, WithAPrefilterGradientEqualsDifferences) {
+  for (const bool with_samples : {false, true}) {
+    for (const RealPrefilter& prefilter : {RecursivePrefilter(0.17), FirPrefilter(0.15, 3)}) {
+      Case c(with_samples);
+      Resampler at = SplineResampler(prefilter), gradient;
+      const std::array<double, 2> factors = {1.0, 0.5};
+      const auto total = [&] {
+        std::array<double, 2> losses{};
+        c.workspace.Forward(c.rollout, at, losses);
+        return factors[0] * losses[0] + factors[1] * losses[1];
+      };
+      total();
+      c.workspace.Backward(c.rollout, factors, at, gradient);
+      const auto compare = [&](double analytic, double& number) {
+        const double saved = number, h = 1e-3;
+        number = saved + h;
+        const double above = total();
+        number = saved - h;
+        const double below = total();
+        number = saved;
+        const double expected = (above - below) / (2 * h);
+        EXPECT_NEAR(analytic, expected, 0.01 * std::abs(expected) + 2e-3) << with_samples;
+      };
+      for (const std::size_t step : {0u, 7u}) {
+        const int node = c.rollout.steps[step].node.index;
+        for (const int k : {0, 5, 10}) compare(gradient.weights[node][k], at.weights[node][k]);
+      }
+      if (prefilter.reach == 0) compare(gradient.prefilter.side, at.prefilter.side);
+      for (int j = 0; j <= prefilter.reach && prefilter.reach > 0; ++j) {
+        compare(gradient.prefilter.taps[j], at.prefilter.taps[j]);
+      }
+    }
+  }
+}
+
+TEST(Rollout, WholeShiftsThroughAPrefilterLoseNothing) {
+  Case c;
+  c.rollout.steps.assign(10, {ToCanonical(0, 0), 0, 0});
+  std::array<double, 2> losses{};
+  c.workspace.Forward(c.rollout, SplineResampler(RecursivePrefilter(0.19)), losses);
+  for (const double loss : losses) EXPECT_NEAR(loss, 0, 2e-6);
 }
 
 TEST(Rollout, WithFullShareAndASampleOnEveryPixelTheImageIsItsSamples) {

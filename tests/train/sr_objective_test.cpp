@@ -78,16 +78,16 @@ TEST(SrObjective, ScaledBaselinesAreThoseOfTheOtherCropsTimesWhatCatmullRomLoses
 TEST(SrObjective, GradientEqualsDifferences) {
   const SrObjective objective(Crops(), {2, 8}, 5, kOptions);
   CanonicalWeights<double> weights = KeysCanonicalWeights(-0.6);
-  CanonicalWeights<double> gradient{};
+  Resampler gradient;
   objective.Evaluate(weights, &gradient);
   double size = 0;
-  for (const auto& node : gradient) {
+  for (const auto& node : gradient.weights) {
     for (const double value : node) size = std::max(size, std::abs(value));
   }
   int compared = 0;
   for (int c = 0; c < kCanonicalNodes; ++c) {
     for (const int k : {1, 5, 10}) {
-      if (std::abs(gradient[c][k]) < 0.2 * size) continue;
+      if (std::abs(gradient.weights[c][k]) < 0.2 * size) continue;
       const double saved = weights[c][k];
       const double h = 2e-3;
       weights[c][k] = saved + h;
@@ -96,7 +96,7 @@ TEST(SrObjective, GradientEqualsDifferences) {
       const double below = objective.Evaluate(weights);
       weights[c][k] = saved;
       const double expected = (above - below) / (2 * h);
-      EXPECT_NEAR(gradient[c][k], expected, 0.02 * std::abs(expected)) << c << " " << k;
+      EXPECT_NEAR(gradient.weights[c][k], expected, 0.02 * std::abs(expected)) << c << " " << k;
       ++compared;
     }
   }
@@ -105,13 +105,13 @@ TEST(SrObjective, GradientEqualsDifferences) {
 
 TEST(SrObjective, SameBitsForAnyNumberOfThreads) {
   const CanonicalWeights<double> weights = KeysCanonicalWeights(-0.57);
-  const auto evaluate = [&](int threads, CanonicalWeights<double>* gradient) {
+  const auto evaluate = [&](int threads, Resampler* gradient) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     return SrObjective(Crops(), {2, 8}, 5, kOptions).Evaluate(weights, gradient);
   };
-  CanonicalWeights<double> one{}, many{};
+  Resampler one, many;
   EXPECT_EQ(evaluate(1, &one), evaluate(4, &many));
-  EXPECT_EQ(one, many);
+  EXPECT_EQ(one.weights, many.weights);
 }
 
 }  // namespace

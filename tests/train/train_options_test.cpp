@@ -39,7 +39,9 @@ TEST(TrainOptions, HorizonsOfEveryFactorAreValidAndGrow) {
 TEST(TrainOptions, BlendAndPansOfObjectiveSrResolveToThePipelines) {
   TrainOptions options;
   EXPECT_EQ(options.Resolved().Json().find("blend"), std::string::npos);
-  EXPECT_EQ(*options.Resolved().pan_share, 0);
+  EXPECT_EQ(*options.Resolved().pan_share, kPanShare);
+  options.prefilter = TrainPrefilter::kNone;
+  EXPECT_EQ(*options.Resolved().pan_share, kPlainPanShare);
   options.objective = TrainObjective::kSr;
   const TrainOptions resolved = options.Resolved();
   EXPECT_EQ(static_cast<float>(*resolved.blend_a), Parameters().blend_a);
@@ -51,6 +53,22 @@ TEST(TrainOptions, BlendAndPansOfObjectiveSrResolveToThePipelines) {
   const std::string json = options.Resolved().Json();
   EXPECT_NE(json.find("\"objective\":\"sr\",\"blend_a\":2.5,\"blend_b\":0.8"), std::string::npos)
       << json;
+}
+
+TEST(TrainOptions, PrefiltersHaveNames) {
+  EXPECT_EQ(PrefilterName({}), "iir");
+  for (const std::string name : {"none", "spline", "iir", "fir:3", "fir:15"}) {
+    TrainOptions options;
+    ASSERT_TRUE(SetPrefilter(name, &options));
+    EXPECT_EQ(PrefilterName(options), name);
+    EXPECT_TRUE(options.IsValid(nullptr)) << name;
+    EXPECT_NE(options.Resolved().Json().find("\"prefilter\":\"" + name + "\""), std::string::npos);
+  }
+  for (const std::string name : {"", "fir", "fir:", "fir:9x", "IIR", "keys"}) {
+    TrainOptions options;
+    EXPECT_FALSE(SetPrefilter(name, &options)) << name;
+    EXPECT_EQ(options.prefilter, TrainPrefilter::kIir);
+  }
 }
 
 TEST(TrainOptions, EachBadValueIsNamed) {
@@ -68,6 +86,10 @@ TEST(TrainOptions, EachBadValueIsNamed) {
        }},
       {"horizon 2000", [](TrainOptions& o) { o.horizons = {2000}; }},
       {"horizon 0", [](TrainOptions& o) { o.horizons = {0}; }},
+      {"fir_taps is 4", [](TrainOptions& o) { SetPrefilter("fir:4", &o); }},
+      {"fir_taps is 17", [](TrainOptions& o) { SetPrefilter("fir:17", &o); }},
+      {"fir_taps is 1", [](TrainOptions& o) { SetPrefilter("fir:1", &o); }},
+      {"fir_taps is 9", [](TrainOptions& o) { o.fir_taps = 9; }},
       {"threads", [](TrainOptions& o) { o.threads = -1; }},
       {"max_seconds", [](TrainOptions& o) { o.max_seconds = -1; }},
       {"max_seconds", [](TrainOptions& o) { o.max_seconds = NAN; }},

@@ -4,9 +4,12 @@
 
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "luts/contract.h"
+#include "train/random.h"
 
 namespace warplut {
 namespace {
@@ -60,6 +63,74 @@ TEST(Trajectory, PanRepeatsOneFractionAndReturns) {
       }
       EXPECT_EQ(x, 0);
       EXPECT_EQ(y, 0);
+    }
+  }
+}
+
+// The numerator of a component of a pan over `warps` warps, checked to be the double next to it.
+int Numerator(double component, int warps) {
+  const double numerator = std::round(component * warps);
+  EXPECT_EQ(component, numerator / warps);
+  return static_cast<int>(numerator);
+}
+
+TEST(Trajectory, PanReturnsAfterAnyNumberOfWarps) {
+  for (const int warps : {2, 3, 6, 12, 24, 100}) {
+    const std::array<int, 1> horizon = {warps};
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      const auto trajectory = MakeTrajectory(Offsets::kPan, horizon, 1 << 16, seed);
+      ASSERT_EQ(static_cast<int>(trajectory.size()), warps);
+      const int x = Numerator(trajectory[0].x, warps), y = Numerator(trajectory[0].y, warps);
+      EXPECT_TRUE(x != 0 || y != 0) << warps << " warps, seed " << seed;
+      int sum_x = 0, sum_y = 0;
+      for (const Displacement& v : trajectory) {
+        sum_x += Numerator(v.x, warps);
+        sum_y += Numerator(v.y, warps);
+        EXPECT_EQ((Numerator(v.x, warps) - x) % warps, 0) << "another fraction";
+        EXPECT_EQ((Numerator(v.y, warps) - y) % warps, 0) << "another fraction";
+        EXPECT_LT(std::abs(sum_x), warps);
+        EXPECT_LT(std::abs(sum_y), warps);
+      }
+      EXPECT_EQ(sum_x, 0);
+      EXPECT_EQ(sum_y, 0);
+    }
+  }
+}
+
+TEST(Trajectory, PanReturnsAtEveryHorizon) {
+  const std::array<int, 3> horizons = {12, 30, 48};  // sixths of a pixel
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    int sum_x = 0, warp = 0;
+    for (const Displacement& v : MakeTrajectory(Offsets::kPan, horizons, kNodes, seed)) {
+      sum_x += Numerator(v.x, 6);
+      ++warp;
+      if (warp == 12 || warp == 30 || warp == 48) {
+        EXPECT_EQ(sum_x, 0) << warp;
+      }
+    }
+  }
+}
+
+TEST(Trajectory, PanTakesEveryFraction) {
+  const std::array<int, 1> horizon = {6};
+  std::set<std::pair<int, int>> seen;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Displacement v = MakeTrajectory(Offsets::kPan, horizon, kNodes, seed)[0];
+    seen.insert({(Numerator(v.x, 6) + 6) % 6, (Numerator(v.y, 6) + 6) % 6});
+  }
+  EXPECT_EQ(seen.size(), 35U) << "all of 6 x 6 but (0, 0)";
+}
+
+// What is trained on and judged by keeps its bits.
+TEST(Trajectory, PanOfWholeTurnsIsANode) {
+  const std::array<int, 1> horizon = {2 * kNodes};
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    const int x = random.Below(kNodes), y = random.Below(kNodes);
+    for (const int steps : {kNodes, 1 << 16}) {
+      const Displacement v = MakeTrajectory(Offsets::kPan, horizon, steps, seed)[0];
+      EXPECT_EQ(v.x - std::floor(v.x), NodeOffset(x));
+      EXPECT_EQ(v.y - std::floor(v.y), NodeOffset(y));
     }
   }
 }

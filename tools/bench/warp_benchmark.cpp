@@ -13,18 +13,23 @@
 
 #include "datasets/error.h"
 #include "luts/filters.h"
+#include "runtime/executor.h"
+#include "runtime/image_buffer.h"
 #include "runtime/motion_tiles.h"
 #include "runtime/pixel.h"
+#include "runtime/prefilter.h"
 
 namespace warplut {
 namespace {
 
-// Ratios that the project asks for, for RGBA8 and RGBA32F: nearest and bilinear lookup on smooth
+// Ratios that the project asks for, for RGBA8 and RGBA32F, without prefilter: nearest and bilinear lookup on smooth
 // motion, uniform motion, static motion.
 constexpr double kNearestTarget = 4;
 constexpr double kBilinearTarget = 2.5;
 constexpr double kUniformTarget = 8;
 constexpr double kStaticTarget = 0.9;
+// The prefilter takes at most 0.6 of a warp with bilinear lookup, for RGBA16F and RGBA32F.
+constexpr double kPrefilterTarget = 1 / 0.6;
 
 struct Image {
   Image(int width, int height, PixelFormat format)
@@ -110,18 +115,17 @@ struct Difference {
   bool exact = true;
 };
 
-Difference Compare(const Image& a, const Image& b) {
+// `codes` code values are one unit of the images.
+Difference Compare(const ImageView& a, const ImageView& b, double codes) {
   Difference error;
-  error.exact = a.bytes == b.bytes;
-  const PixelFormat format = a.view.format;
-  const double codes = 255.0 / ChannelScale(format);
-  for (int y = 0; y < a.view.height; ++y) {
-    for (int i = 0; i < a.view.width * Channels(format); ++i) {
+  for (int y = 0; y < a.height; ++y) {
+    for (int i = 0; i < a.width * Channels(a.format); ++i) {
       const double difference =
-          LoadChannel(format, a.view.At(0, y), i) - LoadChannel(format, b.view.At(0, y), i);
+          LoadChannel(a.format, a.At(0, y), i) - LoadChannel(b.format, b.At(0, y), i);
       error.worst = std::max(error.worst, codes * std::abs(difference));
     }
   }
+  error.exact = error.worst == 0;
   return error;
 }
 
@@ -172,8 +176,12 @@ struct Variant {
   double smooth_target;
 };
 
-bool HasTarget(PixelFormat format) {
+bool HasWarpTarget(PixelFormat format) {
   return format == PixelFormat::kRgba8 || format == PixelFormat::kRgba32F;
+}
+
+bool HasPrefilterTarget(PixelFormat format) {
+  return format == PixelFormat::kRgba16F || format == PixelFormat::kRgba32F;
 }
 
 std::vector<Variant> MakeVariants(const Table& table) {
@@ -185,7 +193,11 @@ std::vector<Variant> MakeVariants(const Table& table) {
   bilinear.name = "lut bilinear";
   bilinear.options.lookup = Lookup::kBilinear;
   bilinear.smooth_target = kBilinearTarget;
-  return {nearest, bilinear, {Info(Filter::kCatmullRom).name, {}, 0}};
+  const WarpOptions spline = {.filter = Filter::kSpline};
+  return {nearest,
+          bilinear,
+          {Info(Filter::kCatmullRom).name, {}, 0},
+          {Info(Filter::kSpline).name, spline, 0}};
 }
 
 // The images of one format and what is measured on them.
@@ -196,6 +208,7 @@ class FormatBenchmark {
         history_(options.width, options.height, format),
         out_(options.width, options.height, format),
         reference_(options.width, options.height, format),
+        coefficients_(options.width, options.height, CoefficientFormat(format)),
         remapped_(options.width, options.height,
                   format == PixelFormat::kRgba16F ? PixelFormat::kRgba32F : format),
         source_(options.height, options.width, MatType(format), remapped_.view.data) {
@@ -212,13 +225,41 @@ class FormatBenchmark {
     const auto remap = [&](const cv::Mat& map1, const cv::Mat& map2) {
       cv::remap(source_, destination_, map1, map2, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
     };
-    const double target = kind == "uniform" ? kUniformTarget : variant.smooth_target;
+    const Prefilter prefilter = PrefilterOf(variant.options);
+    double target = kind == "uniform" ? kUniformTarget : variant.smooth_target;
+    if (!HasWarpTarget(history_.view.format) || HasPrefilter(prefilter)) target = 0;
+    const std::vector<Competitor> competitors = {
+        {"remap, float maps", [&] { remap(map, cv::Mat()); }, target},
+        {"remap, fixed maps", [&] { remap(fixed, fraction); }, 0}};
+    if (!HasPrefilter(prefilter)) {
+      MeasureWarp(
+          kind, variant.name, motion, variant.options,
+          [&] { Warp(history_.Const(), motion.view, variant.options, out_.view); }, competitors,
+          rows);
+      return;
+    }
+    Pass(prefilter).Apply(history_.Const(), executor_, coefficients_);
+    const PrefilteredImage history = {history_.Const(), coefficients_};
+    WarpReference(history, motion.view, variant.options, reference_.view);
     Measure(
-        kind, variant.name, motion, variant.options,
-        [&] { Warp(history_.Const(), motion.view, variant.options, out_.view); },
-        {{"remap, float maps", [&] { remap(map, cv::Mat()); }, target},
-         {"remap, fixed maps", [&] { remap(fixed, fraction); }, 0}},
-        rows);
+        {kind, variant.name}, [&] { Warp(history, motion.view, variant.options, out_.view); },
+        {out_.Const(), reference_.Const()}, competitors, rows);
+  }
+
+  // The prefilter of the options, against a warp of the same image.
+  void PrefilterAgainstWarp(const std::string& kind, const Motion& motion,
+                            const Variant& prefiltered, const Variant& warped,
+                            std::vector<WarpBenchmarkRow>& rows) {
+    const Prefilter prefilter = PrefilterOf(prefiltered.options);
+    const PixelFormat format = history_.view.format;
+    ImageBuffer reference(history_.view.width, history_.view.height, CoefficientFormat(format));
+    PrefilterPass::Reference(prefilter, history_.Const(), reference);
+    PrefilterPass pass = Pass(prefilter);
+    const auto warp = [&] { Warp(history_.Const(), motion.view, warped.options, out_.view); };
+    Measure(
+        {kind, prefiltered.name + " prefilter"},
+        [&] { pass.Apply(history_.Const(), executor_, coefficients_); }, {coefficients_, reference},
+        {{"warp, " + warped.name, warp, HasPrefilterTarget(format) ? kPrefilterTarget : 0}}, rows);
   }
 
   // Motion of whole pixels, against memcpy; with the motion classified by the call, which has to read it, and before.
@@ -226,6 +267,7 @@ class FormatBenchmark {
                    std::vector<WarpBenchmarkRow>& rows) {
     const WarpOptions options;
     const MotionTiles tiles(motion.view);
+    const bool is_target = kind == "static" && HasWarpTarget(history_.view.format);
     const auto copy = [&] {
       std::memcpy(out_.view.data, history_.view.data, history_.bytes.size());
     };
@@ -233,14 +275,14 @@ class FormatBenchmark {
       copy();
       motion_bits_ = BitsOf(motion);
     };
-    Measure(
+    MeasureWarp(
         kind, "any", motion, options,
         [&] { Warp(history_.Const(), motion.view, options, out_.view); },
         {{"memcpy", copy, 0}, {"memcpy, read motion", copy_and_read, 0}}, rows);
-    Measure(
+    MeasureWarp(
         kind, "tiles given", motion, options,
         [&] { Warp(history_.Const(), motion.view, tiles, options, out_.view); },
-        {{"memcpy", copy, kind == "static" ? kStaticTarget : 0}}, rows);
+        {{"memcpy", copy, is_target ? kStaticTarget : 0}}, rows);
   }
 
  private:
@@ -262,28 +304,44 @@ class FormatBenchmark {
     return map;
   }
 
-  // Checks the result of `warp` against the reference, then races it.
-  void Measure(const std::string& kind, const std::string& name, const Motion& motion,
-               const WarpOptions& options, const std::function<void()>& warp,
-               std::vector<Competitor> competitors, std::vector<WarpBenchmarkRow>& rows) {
+  PrefilterPass Pass(const Prefilter& prefilter) const {
+    return {prefilter, history_.view.width, history_.view.height, executor_.Threads()};
+  }
+
+  void MeasureWarp(const std::string& kind, const std::string& name, const Motion& motion,
+                   const WarpOptions& options, const std::function<void()>& warp,
+                   const std::vector<Competitor>& competitors,
+                   std::vector<WarpBenchmarkRow>& rows) {
     WarpReference(history_.Const(), motion.view, options, reference_.view);
-    warp();
-    const Difference difference = Compare(out_, reference_);
+    Measure({kind, name}, warp, {out_.Const(), reference_.Const()}, competitors, rows);
+  }
+
+  struct Subject {
+    std::string motion, filter;
+  };
+  struct Results {
+    ImageView fast, reference;
+  };
+
+  // Checks what `call` writes against the reference, then races it.
+  void Measure(const Subject& subject, const std::function<void()>& call, const Results& results,
+               const std::vector<Competitor>& competitors, std::vector<WarpBenchmarkRow>& rows) {
+    call();
     WarpBenchmarkRow row;
     row.format = history_.view.format;
-    row.motion = kind;
-    row.filter = name;
+    const Difference difference =
+        Compare(results.fast, results.reference, 255.0 / ChannelScale(row.format));
+    row.motion = subject.motion;
+    row.filter = subject.filter;
     row.worst_error = difference.worst;
     row.exact = difference.exact;
-    if (difference.worst > kWarpRgba8Bound) {
-      throw Error("warp benchmark, " + std::string(Name(row.format)) + " " + kind + " " + name +
-                  ": differs from the reference by " + std::to_string(difference.worst) +
-                  " code values, at most " + std::to_string(kWarpRgba8Bound) + " expected");
+    if (!(difference.worst <= kWarpRgba8Bound)) {
+      throw Error("warp benchmark, " + std::string(Name(row.format)) + " " + row.motion + " " +
+                  row.filter + ": differs from the reference by " +
+                  std::to_string(difference.worst) + " code values, at most " +
+                  std::to_string(kWarpRgba8Bound) + " expected");
     }
-    if (!HasTarget(row.format)) {
-      for (Competitor& competitor : competitors) competitor.target = 0;
-    }
-    for (WarpBenchmarkRow& result : Race(row, repeats_, warp, competitors))
+    for (WarpBenchmarkRow& result : Race(row, repeats_, call, competitors))
       rows.push_back(std::move(result));
   }
 
@@ -291,9 +349,11 @@ class FormatBenchmark {
   Image history_;
   Image out_;
   Image reference_;
+  ImageBuffer coefficients_;
   Image remapped_;
   cv::Mat source_;
   cv::Mat destination_;
+  SerialExecutor executor_;
   volatile std::uint32_t motion_bits_ = 0;  // so that the reading is done
 };
 
@@ -317,6 +377,7 @@ WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
   const std::vector<std::int16_t> weights = MakeTable();
   const Table table({TableFormat::kI16, weights.data()});
   const std::vector<Variant> variants = MakeVariants(table);
+  const Variant& bilinear = variants[1];
   WarpBenchmark benchmark;
   benchmark.target = WarpTarget();
   benchmark.opencv = cv::getVersionString();
@@ -327,6 +388,10 @@ WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
       FillMotion(kind, motion);
       for (const Variant& variant : variants)
         images.AgainstRemap(kind, motion, variant, benchmark.rows);
+      for (const Variant& variant : variants) {
+        if (kind != "smooth" || !HasPrefilter(PrefilterOf(variant.options))) continue;
+        images.PrefilterAgainstWarp(kind, motion, variant, bilinear, benchmark.rows);
+      }
     }
     for (const std::string kind : {"whole", "static"}) {
       FillMotion(kind, motion);
@@ -341,7 +406,7 @@ std::string FormatTable(const WarpBenchmark& benchmark) {
   std::string text = "Warp on " + benchmark.target + ", OpenCV " + benchmark.opencv +
                      ", one thread; ratio = competitor / warp\n";
   char line[256];
-  std::snprintf(line, sizeof line, "%-8s %-8s %-13s %-19s %9s %9s %27s %7s  %s\n", "format",
+  std::snprintf(line, sizeof line, "%-8s %-8s %-16s %-19s %9s %9s %27s %7s  %s\n", "format",
                 "motion", "filter", "competitor", "warp ms", "other ms", "ratio median [min, max]",
                 "target", "against reference");
   text += line;
@@ -352,7 +417,7 @@ std::string FormatTable(const WarpBenchmark& benchmark) {
     char error[32] = "exact";
     if (!row.exact) std::snprintf(error, sizeof error, "%.2g codes", row.worst_error);
     std::snprintf(line, sizeof line,
-                  "%-8s %-8s %-13s %-19s %9.3f %9.3f %11.2f [%6.2f, %6.2f] %7s  %s\n",
+                  "%-8s %-8s %-16s %-19s %9.3f %9.3f %11.2f [%6.2f, %6.2f] %7s  %s\n",
                   Name(row.format), row.motion.c_str(), row.filter.c_str(), row.competitor.c_str(),
                   row.warp.median, row.other.median, row.ratio.median, row.ratio.min, row.ratio.max,
                   target, error);

@@ -1,4 +1,5 @@
-// Times Warp against OpenCV's remap, on one thread, in one process, runs interleaved.
+// Times Warp against OpenCV's remap, and the prefilter against Warp: one thread, one process, runs
+// interleaved.
 #pragma once
 
 #include <string>
@@ -22,13 +23,13 @@ struct WarpBenchmarkOptions {
 struct WarpBenchmarkRow {
   PixelFormat format = PixelFormat::kRgba8;
   std::string motion;      // "smooth", "uniform", "whole", "static"
-  std::string filter;      // of Warp; "any" or "tiles given" where motion is whole
+  std::string filter;      // of Warp; "any" or "tiles given" where motion is whole; or a prefilter
   std::string competitor;  // what it is compared with
-  Timing warp;             // milliseconds per call
+  Timing warp;             // milliseconds per call, of Warp or the prefilter
   Timing other;
   Timing ratio;       // other / warp of runs made one after the other: above 1 where Warp is faster
   double target = 0;  // what the median of `ratio` should reach; 0 if none is set
-  double worst_error = 0;  // largest difference from WarpReference, in 8-bit code values
+  double worst_error = 0;  // largest difference from the reference, in 8-bit code values
   bool exact = false;      // no difference at all
 
   bool met() const { return ratio.median >= target; }
@@ -48,6 +49,8 @@ struct WarpBenchmark {
 // INTER_CUBIC, BORDER_REPLICATE with CV_32FC2 maps (motion comes as floats, so this is the one with
 // a target) and with CV_16SC2 maps made beforehand; for "static" and "whole" one memcpy of the
 // image, and the same with all of the motion read, which is what has to be done where its tiles are not given. remap has no half floats: RGBA16F is compared with remap of RGBA32F.
+// A warp with the spline reads coefficients that are made before. Its prefilter has a row of its
+// own: the competitor is the warp with bilinear lookup.
 WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options);
 
 // The rows as a table for people, one line each.

@@ -97,6 +97,8 @@ constexpr int Cost(const WarpOptions& warp) {
     case Filter::kCatmullRom:
     case Filter::kKeys:
       return 1;
+    case Filter::kSpline:
+      return 2;
     case Filter::kLut:
       return warp.lookup == Lookup::kNearest ? 2 : 3;
   }

@@ -11,7 +11,7 @@ namespace {
 
 // Every k-th node.
 RealTable Subsample(const RealTable& table, int nodes) {
-  RealTable coarse{table.name, nodes, {}};
+  RealTable coarse{table.name, nodes, {}, table.prefilter};
   const int step = table.intervals / nodes;
   for (int j = 0; j <= nodes; ++j) {
     for (int i = 0; i <= nodes; ++i) coarse.rows.push_back(table.Row(i * step, j * step));
@@ -58,7 +58,7 @@ std::size_t EighthBytes(int nodes, TableFormat format) {
 RealTable ToRealTable(const TableView& view) {
   const Table table(view);
   const float* row = table.data();
-  RealTable real{"table", kNodes, {}};
+  RealTable real{"table", kNodes, {}, view.prefilter};
   for (int i = 0; i < kTableNodes * kTableNodes; ++i, row += kWeights) {
     Weights<double>& weights = real.rows.emplace_back();
     std::copy(row, row + kWeights, weights.begin());
@@ -86,7 +86,7 @@ BakedTable RunnableTable(const RealTable& table, int nodes, TableFormat format, 
       row[kIdentityWeight] += rest;
     }
   }
-  return BakedTable(TableFormat::kF32, rows);
+  return BakedTable(TableFormat::kF32, rows, table.prefilter);
 }
 
 std::vector<SmallerTable> TrySmallerTables(PipelineMeter& meter, const ProfiledPipeline& pipeline,

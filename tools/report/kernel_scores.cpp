@@ -12,12 +12,11 @@
 #include "runtime/image_buffer.h"
 #include "tools/bench/bench_scene.h"
 #include "tools/bench/timing.h"
-#include "tools/filter_scores.h"
-#include "tools/golden_section.h"
+#include "tools/filter_family.h"
 #include "tools/image_set.h"
 #include "tools/plane.h"
-#include "tools/protocol_filter.h"
 #include "tools/psnr.h"
+#include "train/golden_section.h"
 #include "train/image_views.h"
 #include "train/random.h"
 
@@ -153,19 +152,18 @@ KernelErrors JudgeKernel(const ResamplingKernel& kernel, PixelFormat format,
 
 double BestKeysParameter(const std::vector<KernelProblem>& problems,
                          const std::function<void(double share)>& on_step) {
-  const int evaluations = GoldenSectionEvaluations(kBestKeysLow, kBestKeysHigh, kBestKeysWidth);
+  const FilterFamily& keys = *FindFamily(kBestKeys);
   int evaluation = 0;
   const auto score = [&](double a) {
-    on_step(static_cast<double>(evaluation++) / evaluations);
-    const ProtocolFilter filter =
-        RuntimeFilter(KeysName(a), {.filter = Filter::kKeys, .keys_a = static_cast<float>(a)});
+    on_step(static_cast<double>(evaluation++) / keys.Evaluations());
+    const ProtocolFilter filter = keys.make(a);
     double sum = 0;
     for (const auto& source : JudgeFilter(filter, problems)) {
       for (const KernelError& error : source) sum -= error.loss;
     }
     return sum;
   };
-  return GoldenSection(score, kBestKeysLow, kBestKeysHigh, kBestKeysWidth).at;
+  return keys.Best(score).at;
 }
 
 std::string CheckKernel(const ResamplingKernel& kernel, PixelFormat format) {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -11,7 +10,8 @@
 #include "luts/head.h"
 #include "luts/real_table.h"
 #include "runtime/table.h"
-#include "tools/report/plain_warp.h"
+#include "tools/plain_warp.h"
+#include "tools/six_taps.h"
 
 namespace warplut {
 
@@ -88,45 +88,10 @@ struct FetchedCatmullRomSampler {
   };
 };
 
-// sinc(t) sinc(t / 3) on 6 x 6 taps, divided by the sum of its weights.
+// sinc(t) sinc(t / 3) on 6 x 6 taps.
 struct LanczosSampler {
   PlainTexel operator()(const PlainHistory& history, int x, int y, float dx, float dy) const {
-    const auto wx = Taps(dx), wy = Taps(dy);
-    PlainTexel sum;
-    for (int j = 0; j < kTapCount; ++j) {
-      PlainTexel row;
-      for (int i = 0; i < kTapCount; ++i) row.Add(wx[i], history.At(x + i - 2, y + j - 2));
-      sum.Add(wy[j], row);
-    }
-    return sum;
-  }
-
- private:
-  static constexpr int kTapCount = 6;
-
-  static std::array<float, kTapCount> Taps(float d) {
-    std::array<float, kTapCount> taps{};
-    if (d == 0) {
-      taps[2] = 1;
-      return taps;
-    }
-    constexpr float kPi = std::numbers::pi_v<float>;
-    // sin(pi (d + n)) is sin(pi d) but for its sign, and sin(pi (d + n) / 3) has three values but for theirs.
-    const float sine = std::sin(kPi * d);
-    const std::array<float, 3> thirds = {std::sin(kPi * d / 3), std::sin(kPi * (d + 1) / 3),
-                                         std::sin(kPi * (d + 2) / 3)};
-    float total = 0;
-    for (int i = 0; i < kTapCount; ++i) {
-      const int n = 2 - i;  // the distance is d + n, -3 < d + n < 3
-      const int third = (n + 3) % 3;
-      const float t = d + static_cast<float>(n);
-      // Going from d + third to d + n turns by n - third, a multiple of 3.
-      const float sign = ((n - third) / 3) % 2 == 0 ? 1.0f : -1.0f;
-      taps[i] = (n % 2 == 0 ? sine : -sine) * sign * thirds[third] / (t * t);
-      total += taps[i];
-    }
-    for (float& tap : taps) tap /= total;
-    return taps;
+    return Sum36(history, x, y, LanczosTaps(dx), LanczosTaps(dy));
   }
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "datasets/file.h"
+#include "luts/json_header.h"
 #include "luts/table_io.h"
 #include "tools/report/embedded.h"
 
@@ -12,8 +13,8 @@ namespace {
 
 bool IsFit(const std::filesystem::path& path) {
   if (path.extension() != ".json") return false;
-  const nlohmann::json document = nlohmann::json::parse(ReadFile(path), nullptr, false);
-  return document.is_object() && document.value("format", nlohmann::json()) == "warplut-fit";
+  const nlohmann::json document = ReadJson(path);
+  return document.is_object() && document.value("format", nlohmann::json()) == kFitFormat;
 }
 
 ReportLut LoadShipped(const std::filesystem::path& folder, std::string_view text) {

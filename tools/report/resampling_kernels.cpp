@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "luts/quantize.h"
+#include "runtime/executor.h"
+#include "runtime/image_buffer.h"
+#include "runtime/prefilter.h"
 #include "tools/protocol_filter.h"
 #include "tools/report/plain_samplers.h"
 #include "tools/table_format.h"
@@ -24,7 +27,23 @@ ResamplingKernel RuntimeKernel(std::string name, std::string reads, const WarpOp
           .reads = std::move(reads),
           .prepare = [options, table](const ImageView& history, const MotionView& motion,
                                       const MutableImageView& out) -> ResamplingKernel::Call {
-            return [=] { Warp(history, motion, options, out); };
+            const Prefilter prefilter = PrefilterOf(options);
+            if (!HasPrefilter(prefilter)) return [=] { Warp(history, motion, options, out); };
+            // The prefilter is part of what the kernel costs.
+            struct Coefficients {
+              SerialExecutor executor;
+              PrefilterPass pass;
+              ImageBuffer image;
+            };
+            const auto coefficients = std::make_shared<Coefficients>(Coefficients{
+                {},
+                PrefilterPass(prefilter, history.width, history.height, 1),
+                ImageBuffer(history.width, history.height, CoefficientFormat(history.format))});
+            return [=] {
+              coefficients->pass.Apply(history, coefficients->executor, coefficients->image.view());
+              Warp(PrefilteredImage{history, std::as_const(coefficients->image).view()}, motion,
+                   options, out);
+            };
           },
           .equal_to = options};
 }

@@ -37,7 +37,7 @@ class ObjectiveBased : public TrainerProblem {
     return std::make_unique<MlpObjective>(*objective_, gain_bound_, kGainPenaltyFactor);
   }
   double Loss(const CanonicalWeights<double>& weights) const override {
-    CanonicalWeights<double> unused{};
+    Resampler unused;
     return objective_->Evaluate(weights) +
            kGainPenaltyFactor * penalty_.AddGradient(weights, 0, unused);
   }

@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "tools/bench/timing.h"
-#include "tools/golden_section.h"
 #include "tools/report/section_time.h"
 #include "tools/report/trainer_kernel_fit.h"
+#include "train/golden_section.h"
 #include "train/keys_search.h"
 #include "train/minimize.h"
 

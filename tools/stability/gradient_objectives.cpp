@@ -56,10 +56,10 @@ GradientError RolloutError(const Image& image, const std::vector<Displacement>& 
   RolloutWorkspace workspace(plane.width(), plane.height());
   std::array<double, 1> loss{};
   workspace.Forward(rollout, weights, loss);
-  CanonicalWeights<double> gradient{};
+  Resampler gradient;
   const std::array<double, 1> factor = {1.0};
   workspace.Backward(rollout, factor, weights, gradient);
-  return Compare(gradient, directions, [&](const CanonicalWeights<double>& direction) {
+  return Compare(gradient.weights, directions, [&](const CanonicalWeights<double>& direction) {
     return Derivative(ReferenceLosses(rollout, plane, Seed(weights, direction))[0]);
   });
 }
@@ -96,9 +96,9 @@ constexpr double kKeys = -0.55;
 
 GradientError ObjectiveError(const Objective& objective, int directions) {
   const CanonicalWeights<double> weights = KeysCanonicalWeights(kKeys);
-  CanonicalWeights<double> gradient{};
+  Resampler gradient;
   objective.Evaluate(weights, &gradient);
-  return Compare(gradient, directions, [&](const CanonicalWeights<double>& direction) {
+  return Compare(gradient.weights, directions, [&](const CanonicalWeights<double>& direction) {
     return ReferenceDerivative(objective, weights, direction);
   });
 }
@@ -118,7 +118,8 @@ GradientError ParameterError(const Objective& objective, double scale, int direc
   Random random(5);
   for (int i = 0; i < directions; ++i) {
     const auto [seeded, analytic] = RandomDirection(parameters, gradient, random);
-    CanonicalWeights<double> weights{}, direction{}, of_penalty{};
+    CanonicalWeights<double> weights{}, direction{};
+    Resampler of_penalty;
     for (int c = 0; c < kCanonicalNodes; ++c) {
       const auto [x, y] = CanonicalPosition(c);
       const auto at = HeadWeights<Complex>(seeded.data(), NodeOffset(x), NodeOffset(y));
@@ -128,8 +129,8 @@ GradientError ParameterError(const Objective& objective, double scale, int direc
       }
     }
     penalty.AddGradient(weights, kGainPenaltyFactor, of_penalty);
-    error.Add(analytic,
-              ReferenceDerivative(objective, weights, direction) + Dot(of_penalty, direction));
+    error.Add(analytic, ReferenceDerivative(objective, weights, direction) +
+                            Dot(of_penalty.weights, direction));
   }
   return error;
 }

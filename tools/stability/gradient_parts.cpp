@@ -160,8 +160,9 @@ StabilityResult GainPenaltyGradient(StabilityEffort effort) {
   double worst = 0;
   std::string observed;
   for (const auto& [name, weights, step] : points) {
-    CanonicalWeights<double> gradient{}, unused{};
-    penalty.AddGradient(weights, 1, gradient);
+    Resampler of_resampler, unused;
+    penalty.AddGradient(weights, 1, of_resampler);
+    const CanonicalWeights<double>& gradient = of_resampler.weights;
     const double size = std::sqrt(Dot(gradient, gradient));
     double error = 0;
     for (int i = 0; i < Directions(effort); ++i) {

@@ -43,8 +43,10 @@ constexpr StabilityCase kCases[] = {
             DepthAllEqual),
     Runtime(
         "depth reversed",
-        "sound, and the same image to 1e-6 40 pixels away from the object; in the adaptive form, "
-        "which judges regions, to half a code value",
+        "sound, and the same image 40 pixels away from the object to the rounding of half floats, "
+        "as "
+        "tiles that it touches are warped by another kernel; in the adaptive form, which judges "
+        "regions, to half a code value",
         DepthReversed),
     Runtime("colour NaN infinite or out of range", kSound, ColorNotFinite),
     Runtime("alpha 0 and 1 and outside", "refused with a sentence that names alpha", AlphaOutside),

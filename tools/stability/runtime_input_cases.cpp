@@ -362,7 +362,10 @@ StabilityResult DepthReversed(StabilityEffort) {
                              columns(b[i], object_end, kWideOutput.width))});
     }
   }
-  result.passed = result.passed && worst <= kRounding && worst_by_regions <= kHalfCode;
+  // A tile that the object touches goes to the kernel for general motion, which sums in another order than that for
+  // uniform motion; what lies between two halves may round to either.
+  constexpr double kHalfUnit = 0x1p-11;  // in [1/2, 1)
+  result.passed = result.passed && worst <= kHalfUnit && worst_by_regions <= kHalfCode;
   result.observed +=
       fmt::format("; far from the object off by {:.2g}, in the adaptive form by {:.2g}", worst,
                   worst_by_regions);

@@ -68,10 +68,10 @@ TinyResult RunTiny(const TinyProblem& problem, const Objective& objective,
   result.start_gradient = GradientNorm(judged, parameters, &result.start);
   MinimizeLbfgs(
       judged, problem.iterations, [](const double*, double) { return true; }, parameters);
-  HeadBatch head;
-  result.share = LimitGain(LargestGain(result.gain_bound), head, parameters);
+  ResamplerModel model;
+  result.share = LimitGain(LargestGain(result.gain_bound), model, parameters);
   result.end_gradient = GradientNorm(judged, parameters, &result.end);
-  JudgeWeights(head.Forward(parameters.data()), &result);
+  JudgeWeights(model.Forward(parameters.data()).weights, &result);
   result.parameters = std::move(parameters);
   return result;
 }

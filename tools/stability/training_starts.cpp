@@ -51,9 +51,9 @@ class LossResiduals {
         if (!with_jacobian) continue;
         std::vector<double> factors(of_rollout.size(), 0.0);
         factors[h] = 1;
-        CanonicalWeights<double> of_weights{};
-        workspace.Backward(rollout, factors, weights, of_weights);
-        head_.Backward(parameters.data(), of_weights,
+        Resampler gradient;
+        workspace.Backward(rollout, factors, weights, gradient);
+        head_.Backward(parameters.data(), gradient.weights,
                        gradients.emplace_back(kMlpParameters).data());
       }
     }

@@ -136,7 +136,7 @@ TEST_F(PipelineCode, PassesThatAreLeftOutHaveNoSymbols) {
       {"sample",
        {"Residual", "FilterRow", "SplatRow", "TargetMotionRow", "ForwardRow", "BlendRow",
         "PredictReference", "UpdateReference", "WarpReferencePixels", "RepairRow", "EncodeHdrRow",
-        "LimitHdrRow"}},
+        "LimitHdrRow", "PrefilterTile"}},
       {"interpolation",
        {"FillPlanes", "Predict", "Residual", "Update", "DepthRange", "FilterRow", "OwnMotionRow",
         "SplatRowReference", "BlendRowReference", "RepairRow", "EncodeHdrRow", "LimitHdrRow"}},

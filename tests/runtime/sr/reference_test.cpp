@@ -27,7 +27,7 @@ class TestJob {
 
   SrJob View() const {
     return {options,    x,    y,  planes, nearest, farthest, x.jitter(),
-            y.jitter(), true, {}, {},     nullptr, nullptr};
+            y.jitter(), true, {}, {},     {},      nullptr,  nullptr};
   }
 
   SuperResolutionOptions options;

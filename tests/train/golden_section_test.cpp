@@ -1,4 +1,4 @@
-#include "tools/golden_section.h"
+#include "train/golden_section.h"
 
 #include <gtest/gtest.h>
 
