@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "luts/baked/warplut_x2.h"
+#include "luts/baked/warplut_iir_x2.h"
+#include "runtime/executor.h"
+#include "runtime/prefilter.h"
 #include "runtime/warp.h"
 
 int main() {
@@ -14,17 +16,29 @@ int main() {
     const int x = i % kSize - kSize / 2, y = i / kSize - kSize / 2;
     picture[i] = 0.5f + 0.4f * std::sin(0.004f * static_cast<float>(x * x + y * y));
   }
-  const Table table(baked::kWarplutX2);
+  const Table table(baked::kWarplutIirX2);
+  const MotionView moves = {motion.data(), kSize, kSize, kSize * 8};
+  SerialExecutor executor;
   std::printf("Warp runs on %s\n", WarpTarget());
   for (const FilterInfo& filter : kFilters) {
     WarpOptions options;
     options.filter = filter.filter;
     options.table = &table;
-    std::vector<float> now = picture, next = picture;
+    const Prefilter prefilter = PrefilterOf(options);  // of the table, or of the spline
+    std::vector<float> now = picture, next = picture, coefficients = picture;
     for (int i = 0; i < kWarps; ++i) {
-      Warp({now.data(), kSize, kSize, kSize * 4, PixelFormat::kR32F},
-           {motion.data(), kSize, kSize, kSize * 8}, options,
-           {next.data(), kSize, kSize, kSize * 4, PixelFormat::kR32F});
+      const ImageView history = {now.data(), kSize, kSize, kSize * 4, PixelFormat::kR32F};
+      const MutableImageView out = {next.data(), kSize, kSize, kSize * 4, PixelFormat::kR32F};
+      if (HasPrefilter(prefilter)) {
+        const MutableImageView filtered = {coefficients.data(), kSize, kSize, kSize * 4,
+                                           PixelFormat::kR32F};
+        // A renderer makes the pass once and calls Apply each frame.
+        PrefilterPass(prefilter, kSize, kSize, executor.Threads())
+            .Apply(history, executor, filtered);
+        Warp(PrefilteredImage{history, filtered}, moves, options, out);
+      } else {
+        Warp(history, moves, options, out);
+      }
       now.swap(next);
     }
     double sum = 0, count = 0;
