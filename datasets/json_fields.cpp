@@ -36,6 +36,8 @@ json ParseJson(const std::string& text, const std::string& file) {
   }
 }
 
+double Decimal(float value) { return std::stod(fmt::format("{}", value)); }
+
 JsonPlace JsonPlace::Field(const std::string& name) const {
   return {file_, field_.empty() ? name : field_ + "." + name};
 }

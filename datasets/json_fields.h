@@ -18,6 +18,9 @@ inline constexpr int kMaxJsonDepth = 64;
 // field twice.
 nlohmann::json ParseJson(const std::string& text, const std::string& file);
 
+// The decimal number that a float's shortest text stands for: a file then shows 0.7.
+double Decimal(float value);
+
 // Where in a file a value is: "'FILE': field 'a.b'".
 class JsonPlace {
  public:

@@ -87,8 +87,8 @@ constexpr std::size_t BytesPerWeight(TableFormat format) {
   return format == TableFormat::kF32 ? 4 : format == TableFormat::kI8 ? 1 : 2;
 }
 
-// How far a weight of row (0, 0) of a table with prefilter may be from the product of the side:
-// two units of the format, one for rounding and one for closing the sum.
+// How far a weight of row (0, 0) of a table with prefilter may be from the product of the side: two
+// units of the format. The middle weight closes the sum for the other eight and may be twice as far.
 constexpr double WholeOffsetTolerance(TableFormat format) {
   return 2.0 / (1 << FractionBits(format));
 }

@@ -4,14 +4,10 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace warplut {
 namespace {
-
-// The decimal number that a float's shortest text stands for.
-double Decimal(float value) { return std::stod(fmt::format("{}", value)); }
 
 constexpr std::array<std::pair<PrefilterKind, const char*>, 2> kKinds = {
     {{PrefilterKind::kRecursive, Name(PrefilterKind::kRecursive)},

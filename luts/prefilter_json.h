@@ -11,7 +11,7 @@
 
 namespace warplut {
 
-// Of a valid prefilter other than none. Numbers are those of the floats, shortest.
+// `prefilter` is valid and not none. Numbers are the shortest decimals of the floats.
 nlohmann::ordered_json ToJson(const Prefilter& prefilter);
 
 // How far the pole of a file may be from that of its side.

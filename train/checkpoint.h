@@ -26,7 +26,7 @@ struct Checkpoint {
 // Writes atomically, as JSON; doubles keep all their bits.
 void WriteCheckpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-// Of a training with so many parameters. An Error names what is damaged, or says that it was made for
+// Reads one for a training with so many parameters. An Error names what is damaged, or says that it was made for
 // another training.
 Checkpoint ReadCheckpoint(const std::filesystem::path& path, const std::string& made_for,
                           std::size_t parameters);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kHalvings = 10;
 
-// Of one node, between its base and its weights.
+// The mix of the weights of one node and its base.
 class NodeMix {
  public:
   NodeMix(const Weights<double>& base, const Weights<double>& weights, const Prefilter& prefilter)

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "datasets/json_fields.h"
 #include "luts/certificate.h"
 #include "runtime/parameters.h"
 
@@ -26,9 +27,6 @@ bool Refuse(std::string* why, std::string sentence) {
   if (why != nullptr) *why = std::move(sentence);
   return false;
 }
-
-// The decimal number that a float's shortest text stands for, so that a record shows 0.7.
-double Decimal(float value) { return std::stod(fmt::format("{}", value)); }
 
 int Even(double warps) { return std::max(2, 2 * static_cast<int>(std::lround(warps / 2))); }
 

@@ -51,7 +51,7 @@ TEST(GainPenalty, GradientEqualsDifferences) {
   }
 }
 
-// Of the product with the prefilter's response: weights, side and taps.
+// The gradient of the product with the response of the prefilter: weights, side and taps.
 TEST(GainPenalty, WithAPrefilterGradientEqualsDifferences) {
   const GainPenalty penalty(1.005);
   for (const RealPrefilter& prefilter : {RecursivePrefilter(0.2), FirPrefilter(0.19, 4)}) {
