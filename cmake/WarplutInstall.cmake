@@ -11,7 +11,12 @@ set_target_properties(warplut_options PROPERTIES EXPORT_NAME options)
 install(TARGETS warplut_runtime warplut_contract warplut_options
         EXPORT warplutTargets COMPONENT runtime
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        FILE_SET HEADERS DESTINATION ${headers})
+        INCLUDES DESTINATION ${headers})
+# The headers at the top of runtime/ are what a renderer includes; of luts/ it takes the contract.
+file(GLOB public_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/runtime/*.h)
+install(FILES ${public_headers} DESTINATION ${headers}/runtime COMPONENT runtime)
+list(TRANSFORM WARPLUT_CONTRACT_HEADERS PREPEND ${PROJECT_SOURCE_DIR}/luts/ OUTPUT_VARIABLE contract_headers)
+install(FILES ${contract_headers} DESTINATION ${headers}/luts COMPONENT runtime)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/luts/baked DESTINATION ${headers}/luts COMPONENT runtime
         FILES_MATCHING PATTERN "*.h")
 if(WARPLUT_PIPELINE)

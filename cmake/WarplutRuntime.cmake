@@ -29,23 +29,23 @@ function(warplut_runtime_library name)
     super_resolution.cpp)
   list(TRANSFORM sr PREPEND ${WARPLUT_ROOT}/runtime/sr/)
   set(shared
-    camera_motion.cpp
-    executor.cpp
-    image_check.cpp
-    method.cpp
-    motion_filter.cpp
-    motion_tiles.cpp
-    parameters.cpp
-    prefilter.cpp
-    prefilter_kernels.cpp
-    table.cpp
-    warp.cpp
-    warp_kernels.cpp
-    warp_reference.cpp)
+    motion/camera_motion.cpp
+    core/executor.cpp
+    core/image_check.cpp
+    configuration/method.cpp
+    motion/motion_filter.cpp
+    motion/motion_tiles.cpp
+    configuration/parameters.cpp
+    warp/prefilter.cpp
+    warp/prefilter_kernels.cpp
+    warp/warp.cpp
+    warp/warp_kernels.cpp
+    warp/warp_reference.cpp)
   list(TRANSFORM shared PREPEND ${WARPLUT_ROOT}/runtime/)
 
   warplut_library(${name} ${shared} ${generation} ${sr})
-  target_link_libraries(${name} PUBLIC warplut_contract Threads::Threads PRIVATE hwy::hwy)
+  target_link_libraries(${name} PUBLIC warplut_contract $<BUILD_INTERFACE:warplut_runtime_headers> Threads::Threads
+                        PRIVATE hwy::hwy)
   if(arg_PIPELINE)
     get_filename_component(header ${arg_PIPELINE} ABSOLUTE)
     # The installed library has the header beside its own (cmake/WarplutInstall.cmake).

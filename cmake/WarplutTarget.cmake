@@ -1,7 +1,6 @@
-# What every target of this project and all that links one share: language level, sanitizers, include root.
+# What every target of this project and all that links one share: language level, sanitizers.
 add_library(warplut_options INTERFACE)
 target_compile_features(warplut_options INTERFACE cxx_std_20)
-target_include_directories(warplut_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 if(WARPLUT_SANITIZE)
   target_compile_options(warplut_options INTERFACE -fsanitize=${WARPLUT_SANITIZE}
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -11,6 +10,33 @@ if(WARPLUT_SANITIZE)
     target_compile_definitions(warplut_options INTERFACE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4)")
   endif()
 endif()
+
+# warplut_headers(TARGET FOLDER...): TARGET and its users may include the headers of these folders, as "FOLDER/name.h".
+# Every library has an include directory of its own, made of links, so that an include against the direction of the
+# libraries (docs/ARCHITECTURE.md) does not build. The runtime alone needs no guard: its include directory is the root.
+function(warplut_headers target)
+  get_target_property(type ${target} TYPE)
+  set(scope PUBLIC)
+  if(type STREQUAL INTERFACE_LIBRARY)
+    set(scope INTERFACE)
+  endif()
+  if(WARPLUT_RUNTIME_ONLY)
+    target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+    return()
+  endif()
+  set(root ${PROJECT_BINARY_DIR}/include/${target})
+  file(REMOVE_RECURSE ${root})
+  foreach(folder ${ARGN})
+    # Highway includes the sources of kernels once for each instruction set.
+    file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.h ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+    file(MAKE_DIRECTORY ${root}/${folder})
+    foreach(file ${files})
+      get_filename_component(name ${file} NAME)
+      file(CREATE_LINK ${file} ${root}/${folder}/${name} COPY_ON_ERROR SYMBOLIC)
+    endforeach()
+  endforeach()
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${root}>)
+endfunction()
 
 # What the compiler tells about this project's sources, and about no others.
 add_library(warplut_warnings INTERFACE)

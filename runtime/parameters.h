@@ -44,6 +44,12 @@ inline constexpr std::array<ParameterInfo, 6> kParameters = {{
      "half width of the variance box in standard deviations, super resolution"},
 }};
 
+// The index in kParameters of that name, or -1.
+int FindParameter(const std::string& name);
+
+// All names, with commas between.
+std::string ParameterNames();
+
 // The constants that the paper prints (Mob-FGSR, section 5); T_D is absolute there, in units of the far plane. It has no
 // variance box.
 inline constexpr Parameters kPaperParameters = {.sr_depth_threshold = 0.0028f,

@@ -20,12 +20,12 @@
 
 #include <optional>
 
+#include "luts/table.h"
 #include "runtime/choices.h"
 #include "runtime/color_encoding.h"
 #include "runtime/filter.h"
 #include "runtime/gates.h"
 #include "runtime/image_view.h"
-#include "runtime/table.h"
 
 namespace warplut {
 

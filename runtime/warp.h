@@ -19,11 +19,11 @@
 #include <cstdint>
 
 #include "luts/filters.h"
+#include "luts/table.h"
 #include "runtime/filter.h"
 #include "runtime/image_view.h"
 #include "runtime/motion_tiles.h"
 #include "runtime/pipeline.h"
-#include "runtime/table.h"
 
 namespace warplut {
 

@@ -6,9 +6,9 @@
 
 #include "datasets/file.h"
 #include "datasets/image_io.h"
-#include "luts/bake.h"
-#include "luts/table_io.h"
-#include "runtime/table.h"
+#include "luts/bake/bake.h"
+#include "luts/bake/table_io.h"
+#include "luts/table.h"
 #include "tools/command.h"
 #include "tools/lut_picture.h"
 #include "tools/table_format.h"

@@ -16,7 +16,7 @@
 #include "tools/thread_limit.h"
 #include "train/calibration/clip_crop.h"
 #include "train/calibration/clip_loss.h"
-#include "train/parameters_file.h"
+#include "train/replay/parameters_file.h"
 
 namespace warplut {
 namespace {

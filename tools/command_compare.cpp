@@ -6,8 +6,8 @@
 
 #include "datasets/image_io.h"
 #include "tools/command.h"
-#include "tools/compare.h"
 #include "tools/interrupt.h"
+#include "tools/judge/compare.h"
 #include "tools/progress.h"
 #include "tools/table_text.h"
 

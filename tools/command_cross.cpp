@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <memory>
 
+#include "luts/bake/table_io.h"
 #include "luts/filters.h"
-#include "luts/table_io.h"
 #include "tools/command.h"
-#include "tools/image_set.h"
 #include "tools/interrupt.h"
+#include "tools/judge/image_set.h"
+#include "tools/judge/sr_cross.h"
 #include "tools/progress.h"
-#include "tools/sr_cross.h"
 #include "tools/table_text.h"
 #include "tools/thread_limit.h"
-#include "train/keys_search.h"
-#include "train/trainer.h"
+#include "train/fit/keys_search.h"
+#include "train/fit/trainer.h"
 
 namespace warplut {
 namespace {

@@ -7,18 +7,18 @@
 
 #include "datasets/file.h"
 #include "datasets/image_io.h"
-#include "datasets/luma.h"
-#include "luts/table_io.h"
+#include "luts/bake/table_io.h"
 #include "tools/command.h"
 #include "tools/command_eval_sequence.h"
-#include "tools/eval_report.h"
-#include "tools/image_set.h"
 #include "tools/interrupt.h"
+#include "tools/judge/eval_report.h"
+#include "tools/judge/image_set.h"
+#include "tools/judge/protocol_filter.h"
 #include "tools/progress.h"
-#include "tools/protocol_filter.h"
 #include "tools/table_format.h"
 #include "tools/thread_limit.h"
 #include "tools/warp_picture.h"
+#include "train/metrics/luma.h"
 
 namespace warplut {
 namespace {

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "tools/interrupt.h"
+#include "tools/judge/sequence_report.h"
 #include "tools/pipeline_options.h"
 #include "tools/progress.h"
 #include "tools/sequence_pictures.h"
-#include "tools/sequence_report.h"
-#include "train/judged_frames.h"
+#include "train/replay/judged_frames.h"
 
 namespace warplut {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "tools/command.h"
+#include "tools/judge/sequence_scores.h"
 #include "tools/pipeline.h"
-#include "tools/sequence_scores.h"
 
 namespace warplut {
 

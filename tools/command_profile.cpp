@@ -9,7 +9,7 @@
 
 #include "datasets/file.h"
 #include "datasets/hash.h"
-#include "luts/table_io.h"
+#include "luts/bake/table_io.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
 #include "tools/pipeline_options.h"

@@ -8,9 +8,9 @@
 #include "datasets/file.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
+#include "tools/judge/sequence_report.h"
 #include "tools/pipeline_options.h"
 #include "tools/progress.h"
-#include "tools/sequence_report.h"
 #include "tools/shown_file.h"
 #include "tools/thread_limit.h"
 

@@ -7,14 +7,14 @@
 #include <memory>
 
 #include "datasets/file.h"
-#include "luts/fit.h"
-#include "luts/prefilter_json.h"
+#include "luts/fit/fit.h"
+#include "luts/fit/prefilter_json.h"
 #include "tools/command.h"
-#include "tools/image_set.h"
 #include "tools/interrupt.h"
+#include "tools/judge/image_set.h"
 #include "tools/progress.h"
 #include "tools/table_text.h"
-#include "train/trainer.h"
+#include "train/fit/trainer.h"
 
 namespace warplut {
 namespace {

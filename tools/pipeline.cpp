@@ -9,10 +9,10 @@
 
 #include "datasets/error.h"
 #include "datasets/jitter.h"
-#include "luts/certificate.h"
-#include "tools/protocol_filter.h"
-#include "train/clip_texels.h"
-#include "train/parameters_file.h"
+#include "luts/certificate/certificate.h"
+#include "tools/judge/protocol_filter.h"
+#include "train/replay/clip_texels.h"
+#include "train/replay/parameters_file.h"
 
 namespace warplut {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "datasets/sequence.h"
-#include "luts/table_io.h"
-#include "runtime/table.h"
-#include "train/mode_run.h"
+#include "luts/bake/table_io.h"
+#include "luts/table.h"
+#include "train/replay/mode_run.h"
 
 namespace warplut {
 

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "tools/protocol_filter.h"
+#include "tools/judge/protocol_filter.h"
 
 namespace warplut {
 

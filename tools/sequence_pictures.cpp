@@ -8,7 +8,7 @@
 
 #include "datasets/file.h"
 #include "datasets/image_io.h"
-#include "tools/sequence_scores.h"
+#include "tools/judge/sequence_scores.h"
 
 namespace warplut {
 namespace {

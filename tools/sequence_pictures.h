@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "train/mode_run.h"
+#include "train/replay/mode_run.h"
 
 namespace warplut {
 
@@ -23,7 +23,7 @@ struct PictureWindow {
 };
 
 // Finds the windows of the frames that one method is judged by where its squared error is largest, and those where most was just
-// revealed (WasVisible, tools/temporal_error.h). Windows lie on a grid of half their side; those of a kind are of different frames.
+// revealed (WasVisible, train/metrics/temporal_error.h). Windows lie on a grid of half their side; those of a kind are of different frames.
 class WindowChooser {
  public:
   // `truth` as for SequenceJudge; it outlives the chooser.

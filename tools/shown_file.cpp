@@ -6,7 +6,7 @@
 
 #include "datasets/error.h"
 #include "datasets/image_io.h"
-#include "train/image_views.h"
+#include "train/replay/image_views.h"
 
 namespace warplut {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "runtime/color_encoding.h"
-#include "train/mode_run.h"
+#include "train/replay/mode_run.h"
 
 namespace warplut {
 

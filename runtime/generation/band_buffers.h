@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/band.h"
+#include "runtime/core/band.h"
 #include "runtime/frame_tiles.h"
 #include "runtime/image_buffer.h"
 #include "runtime/pipeline.h"

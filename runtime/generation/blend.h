@@ -5,8 +5,8 @@
 
 #include "luts/luma_weights.h"
 #include "runtime/color_encoding.h"
+#include "runtime/core/pixel.h"
 #include "runtime/generation/generation_job.h"
-#include "runtime/pixel.h"
 
 namespace warplut::generation {
 

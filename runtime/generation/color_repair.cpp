@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/motion_split.h"
-#include "runtime/pixel.h"
+#include "runtime/core/pixel.h"
+#include "runtime/motion/motion_split.h"
 
 namespace warplut::generation {
 namespace {

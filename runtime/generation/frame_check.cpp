@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/image_check.h"
+#include "runtime/configuration/pipeline_check.h"
+#include "runtime/core/image_check.h"
 #include "runtime/motion_filter.h"
-#include "runtime/pipeline_check.h"
 
 namespace warplut {
 namespace {

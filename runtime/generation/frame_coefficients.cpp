@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/chosen.h"
+#include "runtime/configuration/chosen.h"
 
 namespace warplut::generation {
 namespace {

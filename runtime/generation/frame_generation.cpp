@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/chosen.h"
+#include "runtime/configuration/chosen.h"
 #include "runtime/generation/band_buffers.h"
 #include "runtime/generation/color_repair.h"
 #include "runtime/generation/frame_check.h"
@@ -12,7 +12,7 @@
 #include "runtime/generation/hdr_rows.h"
 #include "runtime/generation/row_kernels.h"
 #include "runtime/motion_filter.h"
-#include "runtime/warp_kernels.h"
+#include "runtime/warp/warp_kernels.h"
 
 namespace warplut {
 

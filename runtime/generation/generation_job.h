@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/chosen.h"
+#include "runtime/configuration/chosen.h"
 #include "runtime/frame_generation.h"
 #include "runtime/generation/splat_key.h"
 #include "runtime/image_buffer.h"

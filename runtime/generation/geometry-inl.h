@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "runtime/gates-inl.h"
+#include "runtime/core/gates-inl.h"
+#include "runtime/core/warp_simd-inl.h"
 #include "runtime/generation/row_kernels.h"
-#include "runtime/warp_simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace warplut::generation {

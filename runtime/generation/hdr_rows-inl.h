@@ -6,8 +6,8 @@
 #define WARPLUT_RUNTIME_GENERATION_HDR_ROWS_INL_H_
 #endif
 
-#include "runtime/hdr_code-inl.h"
-#include "runtime/sr/pixels-inl.h"
+#include "runtime/core/hdr_code-inl.h"
+#include "runtime/core/pixels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace warplut::generation {

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "runtime/color_encoding.h"
+#include "runtime/core/pixel.h"
 #include "runtime/filter.h"
 #include "runtime/generation/blend.h"
-#include "runtime/motion_split.h"
-#include "runtime/pixel.h"
+#include "runtime/motion/motion_split.h"
 
 namespace warplut::generation {
 namespace {

@@ -1,6 +1,6 @@
 #include "runtime/generation/row_kernels.h"
 
-#include "runtime/instruction_sets.h"
+#include "runtime/core/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/generation/row_kernels.cpp"

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/band.h"
+#include "runtime/core/band.h"
 
 namespace warplut {
 

@@ -6,7 +6,7 @@
 #define WARPLUT_RUNTIME_SR_COLOR_INL_H_
 #endif
 
-#include "runtime/hdr_code-inl.h"
+#include "runtime/core/hdr_code-inl.h"
 #include "runtime/sr/geometry-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,4 +1,4 @@
-#include "runtime/instruction_sets.h"
+#include "runtime/core/instruction_sets.h"
 #include "runtime/sr/passes.h"
 #include "runtime/sr/reference.h"
 

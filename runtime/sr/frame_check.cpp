@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "runtime/chosen.h"
-#include "runtime/image_check.h"
-#include "runtime/pipeline_check.h"
+#include "runtime/configuration/chosen.h"
+#include "runtime/configuration/pipeline_check.h"
+#include "runtime/core/image_check.h"
 
 namespace warplut {
 namespace {

@@ -6,9 +6,9 @@
 #define WARPLUT_RUNTIME_SR_GEOMETRY_INL_H_
 #endif
 
-#include "runtime/gates-inl.h"
+#include "runtime/core/gates-inl.h"
+#include "runtime/core/pixels-inl.h"
 #include "runtime/sr/passes.h"
-#include "runtime/sr/pixels-inl.h"
 #include "runtime/sr/reference.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/band.h"
-#include "runtime/chosen.h"
+#include "runtime/configuration/chosen.h"
+#include "runtime/core/band.h"
 #include "runtime/image_buffer.h"
 #include "runtime/sr/aliasing.h"
 #include "runtime/sr/axis_map.h"

@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/pixel.h"
+#include "runtime/core/pixel.h"
 #include "runtime/sr/reference.h"
-#include "runtime/warp_kernels.h"
+#include "runtime/warp/warp_kernels.h"
 
 namespace warplut {
 namespace {

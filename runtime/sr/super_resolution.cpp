@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/chosen.h"
+#include "runtime/configuration/chosen.h"
 #include "runtime/motion_filter.h"
 #include "runtime/prefilter.h"
 #include "runtime/sr/frame_check.h"

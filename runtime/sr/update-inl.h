@@ -7,7 +7,7 @@
 #endif
 
 #include "runtime/sr/color-inl.h"
-#include "runtime/warp_general-inl.h"
+#include "runtime/warp/warp_general-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace warplut {

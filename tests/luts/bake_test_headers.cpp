@@ -2,7 +2,7 @@
 #include <exception>
 #include <iostream>
 
-#include "luts/bake.h"
+#include "luts/bake/bake.h"
 #include "test_fits.h"
 
 int main(int argc, char** argv) try {

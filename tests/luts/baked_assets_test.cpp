@@ -4,8 +4,8 @@
 #include <set>
 
 #include "datasets/file.h"
-#include "luts/assets.h"
-#include "luts/bake.h"
+#include "luts/bake/assets.h"
+#include "luts/bake/bake.h"
 
 namespace warplut {
 namespace {

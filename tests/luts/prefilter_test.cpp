@@ -8,13 +8,13 @@
 #include <numbers>
 #include <numeric>
 
-#include "luts/bake.h"
+#include "luts/bake/bake.h"
+#include "luts/bake/released_layout.h"
+#include "luts/bake/table_io.h"
+#include "luts/certificate/gain.h"
 #include "luts/filters.h"
-#include "luts/gain.h"
-#include "luts/head.h"
-#include "luts/quantize.h"
-#include "luts/released_layout.h"
-#include "luts/table_io.h"
+#include "luts/fit/head.h"
+#include "luts/quantize/quantize.h"
 #include "test_fits.h"
 
 namespace warplut {

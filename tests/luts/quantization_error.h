@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "luts/baked_table.h"
-#include "luts/real_table.h"
+#include "luts/quantize/baked_table.h"
+#include "luts/quantize/real_table.h"
 
 namespace warplut {
 

@@ -9,7 +9,7 @@
 
 #include "datasets/error.h"
 #include "datasets/file.h"
-#include "luts/fit.h"
+#include "luts/fit/fit.h"
 
 namespace warplut {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "runtime/choice_list.h"
+#include "runtime/configuration/choice_list.h"
 
 namespace warplut {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "luts/filters.h"
-#include "runtime/half.h"
-#include "runtime/table.h"
+#include "luts/half.h"
+#include "luts/table.h"
 
 namespace warplut {
 

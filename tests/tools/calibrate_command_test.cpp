@@ -9,9 +9,9 @@
 #include "runtime/parameters.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/program.h"
-#include "tests/train/pan_sequence.h"
+#include "tests/train/replay/pan_sequence.h"
 #include "train/calibration/calibration.h"
-#include "train/parameters_file.h"
+#include "train/replay/parameters_file.h"
 
 namespace warplut {
 namespace {

@@ -9,7 +9,7 @@
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/program.h"
 #include "tests/tools/test_images.h"
-#include "tools/compare.h"
+#include "tools/judge/compare.h"
 
 namespace warplut {
 namespace {

@@ -4,15 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "luts/filters.h"
-#include "luts/fit.h"
-#include "luts/quantize.h"
-#include "luts/real_table.h"
+#include "luts/fit/fit.h"
+#include "luts/quantize/quantize.h"
+#include "luts/quantize/real_table.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/luts/test_fits.h"
 #include "tests/tools/program.h"
 #include "tests/tools/test_images.h"
-#include "tools/sr_cross.h"
-#include "train/keys_search.h"
+#include "tools/judge/sr_cross.h"
+#include "train/fit/keys_search.h"
 
 namespace warplut {
 namespace {

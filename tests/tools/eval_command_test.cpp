@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/file.h"
-#include "luts/fit.h"
+#include "luts/fit/fit.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/luts/test_fits.h"
 #include "tests/tools/program.h"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "luts/fit.h"
+#include "luts/fit/fit.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 

@@ -7,7 +7,7 @@
 #include "datasets/file.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/program.h"
-#include "tests/train/pan_sequence.h"
+#include "tests/train/replay/pan_sequence.h"
 
 namespace warplut {
 namespace {

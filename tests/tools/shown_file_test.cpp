@@ -7,7 +7,7 @@
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/test_images.h"
-#include "train/image_views.h"
+#include "train/replay/image_views.h"
 
 namespace warplut {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "runtime/pixel.h"
+#include "runtime/core/pixel.h"
 
 namespace warplut {
 

@@ -9,8 +9,8 @@
 
 #include "datasets/error.h"
 #include "tools/bench/timing.h"
-#include "train/random.h"
-#include "train/ssim.h"
+#include "train/fit/random.h"
+#include "train/metrics/ssim.h"
 
 namespace warplut {
 namespace {

@@ -13,10 +13,10 @@
 
 #include "datasets/error.h"
 #include "luts/filters.h"
+#include "runtime/core/pixel.h"
 #include "runtime/executor.h"
 #include "runtime/image_buffer.h"
 #include "runtime/motion_tiles.h"
-#include "runtime/pixel.h"
 #include "runtime/prefilter.h"
 
 namespace warplut {

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <optional>
 
-#include "runtime/choice_list.h"
+#include "runtime/configuration/choice_list.h"
 
 namespace warplut {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "tools/bench/timed_executor.h"
 #include "tools/bench/timing.h"
-#include "train/image_views.h"
+#include "train/replay/image_views.h"
 
 namespace warplut {
 TimeRatio RatioOf(const std::vector<double>& times, const std::vector<double>& to) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "runtime/executor.h"
+#include "tools/judge/sequence_scores.h"
 #include "tools/profile/profiled_pipeline.h"
-#include "tools/sequence_scores.h"
 
 namespace warplut {
 

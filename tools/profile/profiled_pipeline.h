@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "runtime/pipeline_configuration.h"
-#include "train/mode_run.h"
+#include "train/replay/mode_run.h"
 
 namespace warplut {
 

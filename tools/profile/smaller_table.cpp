@@ -3,7 +3,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "luts/quantize.h"
+#include "luts/quantize/quantize.h"
 #include "tools/table_format.h"
 
 namespace warplut {

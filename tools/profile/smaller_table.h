@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
-#include "luts/baked_table.h"
-#include "luts/real_table.h"
-#include "runtime/table.h"
+#include "luts/quantize/baked_table.h"
+#include "luts/quantize/real_table.h"
+#include "luts/table.h"
 #include "tools/profile/profile_search.h"
 
 namespace warplut {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "tools/judge/sequence_scores.h"
 #include "tools/report/budget_images.h"
 #include "tools/report/budget_motion.h"
 #include "tools/report/report_inputs.h"
-#include "tools/sequence_scores.h"
-#include "train/image_views.h"
-#include "train/judged_frames.h"
+#include "train/replay/image_views.h"
+#include "train/replay/judged_frames.h"
 
 namespace warplut {
 namespace {

@@ -4,14 +4,14 @@
 #include "runtime/executor.h"
 #include "runtime/frame_generation.h"
 #include "tools/report/budget_ladder.h"
-#include "train/clip.h"
-#include "train/mode_run.h"
+#include "train/replay/clip.h"
+#include "train/replay/mode_run.h"
 
 namespace warplut {
 
 // Generated is the frame t between two rendered ones, or after the later one; every second frame of the clip is rendered. With R
 // the reference of t, A the reference of frame t - 1 warped by the exact motion of t, and B that of t + 1 warped by the exact
-// motion from t to it (ForwardMotionOf). A shows the surface where WasVisible of tools/temporal_error.h says so, B where that motion
+// motion from t to it (ForwardMotionOf). A shows the surface where WasVisible of train/metrics/temporal_error.h says so, B where that motion
 // is known:
 //   0  the generated frame, with the motion of rendered frames stored in halves (MotionStorage::kHalf)
 //   1  the generated frame, with it stored in two bytes (MotionStorage::kBytes)

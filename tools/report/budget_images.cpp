@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "datasets/luma.h"
-#include "train/image_views.h"
+#include "train/metrics/luma.h"
+#include "train/replay/image_views.h"
 
 namespace warplut {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "datasets/error.h"
-#include "tools/psnr.h"
-#include "tools/sequence_scores.h"
+#include "tools/judge/sequence_scores.h"
+#include "train/metrics/psnr.h"
 
 namespace warplut {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "datasets/image.h"
-#include "tools/compare.h"
+#include "tools/judge/compare.h"
 
 namespace warplut {
 

@@ -8,10 +8,11 @@
 #include <limits>
 #include <optional>
 
+#include "luts/half.h"
 #include "runtime/gates.h"
-#include "runtime/half.h"
-#include "train/image_views.h"
-#include "train/motion_composition.h"
+#include "train/metrics/same_surface.h"
+#include "train/replay/image_views.h"
+#include "train/replay/motion_composition.h"
 
 namespace warplut {
 namespace {

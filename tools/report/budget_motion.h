@@ -5,8 +5,8 @@
 
 #include "datasets/image.h"
 #include "tools/report/budget_images.h"
-#include "tools/temporal_error.h"
-#include "train/clip.h"
+#include "train/metrics/temporal_error.h"
+#include "train/replay/clip.h"
 
 namespace warplut {
 
@@ -28,7 +28,7 @@ Clip WithStoredMotion(const Clip& clip, MotionStorage storage);
 // For frame f, from the motion of frame f + 1 (which points from f to f + 1, stored at its pixels): v(p), such that what is seen at
 // p in frame f is at p + v in frame f + 1. Found by fixed-point iteration q <- p + m(q) from the arrivals in the 3 x 3 pixels
 // around p, m read bilinearly. Accepted where it closes within kClosure pixels and the depths of the two frames there
-// differ by at most kSameSurface (train/motion_composition.h); elsewhere frame f + 1 does not show p.
+// differ by at most kSameSurface (train/metrics/same_surface.h); elsewhere frame f + 1 does not show p.
 struct ForwardMotion {
   MotionBuffer motion;  // -v, as warps take it; NaN where it is not known
   PixelMask known;

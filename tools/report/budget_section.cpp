@@ -6,13 +6,13 @@
 #include <numeric>
 
 #include "datasets/error.h"
-#include "tools/psnr.h"
+#include "tools/judge/sequence_scores.h"
 #include "tools/report/budget_generation.h"
 #include "tools/report/budget_motion.h"
 #include "tools/report/budget_super_resolution.h"
 #include "tools/report/section_time.h"
-#include "tools/sequence_scores.h"
-#include "train/motion_composition.h"
+#include "train/metrics/psnr.h"
+#include "train/metrics/same_surface.h"
 
 namespace warplut {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/judge/sequence_scores.h"
 #include "tools/report/budget_images.h"
 #include "tools/report/budget_motion.h"
-#include "tools/sequence_scores.h"
-#include "train/image_views.h"
+#include "train/replay/image_views.h"
 
 namespace warplut {
 namespace {

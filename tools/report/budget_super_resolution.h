@@ -4,7 +4,7 @@
 #include "runtime/executor.h"
 #include "runtime/super_resolution.h"
 #include "tools/report/budget_ladder.h"
-#include "train/clip.h"
+#include "train/replay/clip.h"
 
 namespace warplut {
 
@@ -13,7 +13,7 @@ namespace warplut {
 //   0  O, with the motion of the render grid stored in halves (MotionStorage::kHalf)
 //   1  O, with it stored in two bytes (MotionStorage::kBytes)
 //   2  O, with exact motion of the render grid
-//   3  R where the frame before did not show the surface (WasVisible of tools/temporal_error.h)
+//   3  R where the frame before did not show the surface (WasVisible of train/metrics/temporal_error.h)
 //   4  R as well where the reference before, warped by m, has another local luma (kShadingChange) although it is visible
 //   5  elsewhere the best blend of C and H for the pixels around each (BestBlend with kBlendRadius), or O where that is better
 //   6  the best blend at every pixel for itself, or O

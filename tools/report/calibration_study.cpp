@@ -5,7 +5,7 @@
 
 #include "train/calibration/calibration.h"
 #include "train/calibration/search_space.h"
-#include "train/random.h"
+#include "train/fit/random.h"
 
 namespace warplut {
 namespace {

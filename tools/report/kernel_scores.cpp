@@ -8,17 +8,17 @@
 #include <opencv2/core.hpp>
 #include <span>
 
-#include "datasets/luma.h"
 #include "runtime/image_buffer.h"
 #include "tools/bench/bench_scene.h"
 #include "tools/bench/timing.h"
-#include "tools/filter_family.h"
-#include "tools/image_set.h"
-#include "tools/plane.h"
-#include "tools/psnr.h"
-#include "train/golden_section.h"
-#include "train/image_views.h"
-#include "train/random.h"
+#include "tools/judge/filter_family.h"
+#include "tools/judge/image_set.h"
+#include "tools/judge/plane.h"
+#include "train/fit/golden_section.h"
+#include "train/fit/random.h"
+#include "train/metrics/luma.h"
+#include "train/metrics/psnr.h"
+#include "train/replay/image_views.h"
 
 namespace warplut {
 namespace {

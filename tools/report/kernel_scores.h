@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tools/report/resampling_kernels.h"
-#include "train/clip.h"
-#include "train/trajectory.h"
+#include "train/fit/trajectory.h"
+#include "train/replay/clip.h"
 
 namespace warplut {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "tools/psnr.h"
 #include "tools/report/kernel_scores.h"
 #include "tools/report/pareto.h"
 #include "tools/report/section_time.h"
+#include "train/metrics/psnr.h"
 
 namespace warplut {
 namespace {

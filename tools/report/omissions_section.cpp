@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "tools/judge/sequence_scores.h"
 #include "tools/pipeline.h"
 #include "tools/profile/profile_report.h"
 #include "tools/report/report_clips.h"
 #include "tools/report/section_time.h"
-#include "tools/sequence_scores.h"
 
 namespace warplut {
 namespace {

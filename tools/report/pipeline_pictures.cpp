@@ -6,10 +6,10 @@
 #include <map>
 #include <utility>
 
+#include "tools/judge/sequence_scores.h"
 #include "tools/pipeline.h"
 #include "tools/sequence_pictures.h"
-#include "tools/sequence_scores.h"
-#include "train/judged_frames.h"
+#include "train/replay/judged_frames.h"
 
 namespace warplut {
 namespace {

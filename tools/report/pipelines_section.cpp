@@ -9,11 +9,11 @@
 
 #include "datasets/error.h"
 #include "tools/bench/timed_executor.h"
+#include "tools/judge/sequence_report.h"
+#include "tools/judge/sequence_scores.h"
 #include "tools/report/pareto.h"
 #include "tools/report/pipeline_pictures.h"
 #include "tools/report/section_time.h"
-#include "tools/sequence_report.h"
-#include "tools/sequence_scores.h"
 
 namespace warplut {
 namespace {

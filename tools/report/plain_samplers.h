@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "luts/filters.h"
-#include "luts/head.h"
-#include "luts/real_table.h"
-#include "runtime/table.h"
-#include "tools/plain_warp.h"
-#include "tools/six_taps.h"
+#include "luts/fit/head.h"
+#include "luts/quantize/real_table.h"
+#include "luts/table.h"
+#include "tools/judge/plain_warp.h"
+#include "tools/judge/six_taps.h"
 
 namespace warplut {
 

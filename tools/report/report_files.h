@@ -13,7 +13,7 @@ namespace warplut {
 // Writes, each file atomically and the page last:
 //   index.html       the page (page.h)
 //   report.json      everything that the tables, plots and sentences say
-//   tables/ID.md     the tables, for tools/update_tables.sh
+//   tables/ID.md     the tables, for tools/measure/update_tables.sh
 //   plots/ID.svg     the plots, wide
 //   pictures/*.png   the pictures
 // A plot that cannot be drawn becomes a failure of its section. `on_file` is called before each plot and picture, and may throw, which

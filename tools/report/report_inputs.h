@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "datasets/sequence.h"
-#include "luts/baked_table.h"
-#include "luts/fit.h"
-#include "runtime/table.h"
+#include "luts/fit/fit.h"
+#include "luts/quantize/baked_table.h"
+#include "luts/table.h"
 #include "runtime/warp.h"
-#include "train/clip.h"
-#include "train/mode_run.h"
+#include "train/replay/clip.h"
+#include "train/replay/mode_run.h"
 
 namespace warplut {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "datasets/file.h"
-#include "luts/json_header.h"
-#include "luts/table_io.h"
+#include "luts/bake/table_io.h"
+#include "luts/fit/json_header.h"
 #include "tools/report/embedded.h"
 
 namespace warplut {

@@ -7,11 +7,11 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "luts/quantize.h"
+#include "luts/quantize/quantize.h"
 #include "runtime/executor.h"
 #include "runtime/image_buffer.h"
 #include "runtime/prefilter.h"
-#include "tools/protocol_filter.h"
+#include "tools/judge/protocol_filter.h"
 #include "tools/report/plain_samplers.h"
 #include "tools/table_format.h"
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "runtime/warp.h"
+#include "tools/judge/warp_protocol.h"
 #include "tools/report/report_inputs.h"
-#include "tools/warp_protocol.h"
 
 namespace warplut {
 

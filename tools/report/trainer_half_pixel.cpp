@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "luts/filters.h"
-#include "train/keys_search.h"
+#include "train/fit/keys_search.h"
 
 namespace warplut {
 namespace {

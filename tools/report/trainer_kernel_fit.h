@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "train/canonical_nodes.h"
+#include "train/fit/canonical_nodes.h"
 
 namespace warplut {
 

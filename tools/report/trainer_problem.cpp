@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "luts/head.h"
+#include "luts/fit/head.h"
 #include "tools/report/trainer_half_pixel.h"
-#include "train/crops.h"
-#include "train/keys_search.h"
-#include "train/mlp_objective.h"
-#include "train/random.h"
-#include "train/train_options.h"
-#include "train/warp_objective.h"
+#include "train/fit/crops.h"
+#include "train/fit/keys_search.h"
+#include "train/fit/mlp_objective.h"
+#include "train/fit/random.h"
+#include "train/fit/train_options.h"
+#include "train/fit/warp_objective.h"
 
 namespace warplut {
 namespace {

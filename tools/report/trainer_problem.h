@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "datasets/image.h"
-#include "train/canonical_nodes.h"
-#include "train/objective.h"
-#include "train/parameter_function.h"
+#include "train/fit/canonical_nodes.h"
+#include "train/fit/objective.h"
+#include "train/fit/parameter_function.h"
 
 namespace warplut {
 
-// kObjective: repeated warps of crops, with the bound on gain (train/mlp_objective.h). kKernel: the weights of a known kernel.
+// kObjective: repeated warps of crops, with the bound on gain (train/fit/mlp_objective.h). kKernel: the weights of a known kernel.
 enum class ProblemKind : std::uint8_t { kObjective, kKernel };
 
 class TrainerProblem {
@@ -67,7 +67,7 @@ std::unique_ptr<const TrainerProblem> KernelProblem(std::string name,
                                                     const CanonicalWeights<double>& kernel,
                                                     double start_factor);
 
-// The Keys kernel with what the head of the MLP makes of it (luts/head.h): its first moment is the offset, so that the MLP can come as
+// The Keys kernel with what the head of the MLP makes of it (luts/fit/head.h): its first moment is the offset, so that the MLP can come as
 // near to it as it likes.
 CanonicalWeights<double> KeysByHead(double a);
 

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
-#include "datasets/luma.h"
 #include "luts/filters.h"
+#include "tools/judge/sequence_scores.h"
 #include "tools/report/quartiles.h"
 #include "tools/report/section_time.h"
 #include "tools/report/trainer_profile.h"
-#include "tools/sequence_scores.h"
-#include "train/keys_search.h"
+#include "train/fit/keys_search.h"
+#include "train/metrics/luma.h"
 
 namespace warplut {
 namespace {

@@ -13,9 +13,9 @@
 #include "tools/bench/timing.h"
 #include "tools/report/section_time.h"
 #include "tools/report/trainer_kernel_fit.h"
-#include "train/golden_section.h"
-#include "train/keys_search.h"
-#include "train/minimize.h"
+#include "train/fit/golden_section.h"
+#include "train/fit/keys_search.h"
+#include "train/fit/minimize.h"
 
 namespace warplut {
 namespace {

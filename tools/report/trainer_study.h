@@ -13,7 +13,7 @@
 
 namespace warplut {
 
-// kLbfgs and kAdam are those of train/minimize.h; kLevenbergMarquardt fits kernels alone (trainer_kernel_fit.h); kKeys is the best of
+// kLbfgs and kAdam are those of train/fit/minimize.h; kLevenbergMarquardt fits kernels alone (trainer_kernel_fit.h); kKeys is the best of
 // the kernels that Keys has, by golden section over a in [-1, 0].
 enum class Trainer : std::uint8_t { kLbfgs, kAdam, kLevenbergMarquardt, kKeys };
 

@@ -25,7 +25,7 @@ struct SeededDirection {
   double analytic = 0;
 };
 
-// `random.Below(2)` gives the signs (train/random.h).
+// `random.Below(2)` gives the signs (train/fit/random.h).
 template <class Random>
 SeededDirection RandomDirection(const std::vector<double>& at, const std::vector<double>& gradient,
                                 Random& random) {

@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "datasets/tone_map.h"
-#include "luts/head.h"
+#include "luts/fit/head.h"
 #include "tools/stability/gradient_reference.h"
 #include "tools/stability/training_images.h"
 #include "tools/stability/training_problem.h"
-#include "train/keys_search.h"
-#include "train/noise_image.h"
-#include "train/sr_objective.h"
+#include "train/fit/keys_search.h"
+#include "train/fit/noise_image.h"
+#include "train/fit/sr_objective.h"
 
 namespace warplut {
 namespace {

@@ -11,11 +11,11 @@
 #include "tools/stability/training_images.h"
 #include "train/calibration/gate_model.h"
 #include "train/calibration/soft_fit.h"
-#include "train/gain_penalty.h"
-#include "train/keys_search.h"
-#include "train/mlp_objective.h"
-#include "train/noise_image.h"
-#include "train/ssim_reference.h"
+#include "train/fit/gain_penalty.h"
+#include "train/fit/keys_search.h"
+#include "train/fit/mlp_objective.h"
+#include "train/fit/noise_image.h"
+#include "train/metrics/ssim_reference.h"
 
 namespace warplut {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "train/random.h"
-#include "train/ssim_reference.h"
+#include "train/fit/random.h"
+#include "train/metrics/ssim_reference.h"
 
 namespace warplut {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/stability/gradient_differences.h"
-#include "train/objective.h"
+#include "train/fit/objective.h"
 
 namespace warplut {
 

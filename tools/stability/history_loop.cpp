@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "luts/gain.h"
+#include "luts/certificate/gain.h"
+#include "runtime/core/pixel.h"
 #include "runtime/image_buffer.h"
-#include "runtime/motion_split.h"
-#include "runtime/pixel.h"
+#include "runtime/motion/motion_split.h"
 
 namespace warplut {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 // Copies of the torus around it: two texels of motion and the taps of the filter.
 constexpr int kApron = 4;
 
-// What looked-up weights may differ by from those of the table, summed over the taps (runtime/table.h).
+// What looked-up weights may differ by from those of the table, summed over the taps (luts/table.h).
 constexpr double kWeightRounding = kWeights * 0x1p-22;
 
 // The largest value that the loop is judged up to: beyond, the roundings below do not hold.

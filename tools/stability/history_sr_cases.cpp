@@ -14,7 +14,7 @@
 #include "runtime/method.h"
 #include "runtime/super_resolution.h"
 #include "tools/stability/stability_clip.h"
-#include "train/image_views.h"
+#include "train/replay/image_views.h"
 
 namespace warplut {
 namespace {

@@ -9,12 +9,12 @@
 #include <numbers>
 #include <utility>
 
-#include "luts/certificate.h"
+#include "luts/certificate/certificate.h"
+#include "runtime/core/pixel.h"
 #include "runtime/image_buffer.h"
-#include "runtime/pixel.h"
 #include "tools/stability/history_loop.h"
 #include "tools/stability/stability_clip.h"
-#include "train/image_views.h"
+#include "train/replay/image_views.h"
 
 namespace warplut {
 namespace {

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/chosen.h"
+#include "runtime/configuration/chosen.h"
+#include "runtime/core/pixel.h"
 #include "runtime/executor.h"
 #include "runtime/motion_filter.h"
-#include "runtime/pixel.h"
 #include "tools/stability/runtime_methods.h"
 #include "tools/stability/stability_clip.h"
 

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "datasets/error.h"
-#include "luts/baked_table.h"
+#include "luts/quantize/baked_table.h"
 #include "runtime/executor.h"
 #include "tools/stability/stability_clip.h"
-#include "train/image_views.h"
-#include "train/mode_run.h"
+#include "train/replay/image_views.h"
+#include "train/replay/mode_run.h"
 
 namespace warplut {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "runtime/method.h"
 #include "tools/stability/stability_case.h"
-#include "train/clip.h"
+#include "train/replay/clip.h"
 
 namespace warplut {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/core/pixel.h"
 #include "runtime/image_buffer.h"
-#include "runtime/pixel.h"
 #include "tools/stability/runtime_methods.h"
 #include "tools/stability/stability_clip.h"
 

@@ -8,7 +8,7 @@
 
 #include "luts/baked/warplut_sr_x2.h"
 #include "luts/baked/warplut_x2.h"
-#include "runtime/pixel.h"
+#include "runtime/core/pixel.h"
 
 namespace warplut {
 namespace {

@@ -6,7 +6,7 @@
 #include "luts/contract.h"
 #include "runtime/image_view.h"
 #include "runtime/warp.h"
-#include "train/clip.h"
+#include "train/replay/clip.h"
 
 namespace warplut {
 

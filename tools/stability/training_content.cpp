@@ -11,9 +11,9 @@
 #include "datasets/tone_map.h"
 #include "tools/stability/training_images.h"
 #include "tools/stability/training_problem.h"
-#include "train/crops.h"
-#include "train/noise_image.h"
-#include "train/trainer.h"
+#include "train/fit/crops.h"
+#include "train/fit/noise_image.h"
+#include "train/fit/trainer.h"
 
 namespace warplut {
 namespace {

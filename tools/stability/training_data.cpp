@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "tools/stability/training_problem.h"
-#include "train/crops.h"
-#include "train/noise_image.h"
-#include "train/trainer.h"
+#include "train/fit/crops.h"
+#include "train/fit/noise_image.h"
+#include "train/fit/trainer.h"
 
 namespace warplut {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "train/random.h"
+#include "train/fit/random.h"
 
 namespace warplut {
 

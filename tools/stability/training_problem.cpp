@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "luts/certificate.h"
-#include "train/gain_limit.h"
-#include "train/minimize.h"
-#include "train/noise_image.h"
-#include "train/train_options.h"
+#include "luts/certificate/certificate.h"
+#include "train/fit/gain_limit.h"
+#include "train/fit/minimize.h"
+#include "train/fit/noise_image.h"
+#include "train/fit/train_options.h"
 
 namespace warplut {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "datasets/image.h"
 #include "tools/stability/stability_case.h"
-#include "train/mlp_objective.h"
-#include "train/warp_objective.h"
+#include "train/fit/mlp_objective.h"
+#include "train/fit/warp_objective.h"
 
 namespace warplut {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "tools/stability/training_problem.h"
-#include "train/noise_image.h"
+#include "train/fit/noise_image.h"
 
 namespace warplut {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "luts/head.h"
+#include "luts/fit/head.h"
 #include "tools/stability/training_problem.h"
-#include "train/noise_image.h"
+#include "train/fit/noise_image.h"
 
 namespace warplut {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "datasets/hash.h"
 #include "train/calibration/kept_point.h"
-#include "train/random.h"
+#include "train/fit/random.h"
 
 namespace warplut {
 namespace {

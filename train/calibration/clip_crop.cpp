@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "datasets/error.h"
-#include "train/ssim.h"
+#include "train/metrics/ssim.h"
 
 namespace warplut {
 namespace {

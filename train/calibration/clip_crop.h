@@ -1,7 +1,7 @@
 // Smaller clips, where a whole one takes too long.
 #pragma once
 
-#include "train/clip.h"
+#include "train/replay/clip.h"
 
 namespace warplut {
 

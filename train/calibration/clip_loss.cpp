@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "datasets/error.h"
-#include "train/judged_frames.h"
+#include "train/replay/judged_frames.h"
 
 namespace warplut {
 

@@ -10,7 +10,7 @@
 #include "train/calibration/luma_plane.h"
 #include "train/calibration/residual_function.h"
 #include "train/calibration/tile_grid.h"
-#include "train/mode_run.h"
+#include "train/replay/mode_run.h"
 
 namespace warplut {
 

@@ -6,7 +6,7 @@
 
 #include "runtime/gates.h"
 #include "train/calibration/residual_function.h"
-#include "train/random.h"
+#include "train/fit/random.h"
 
 namespace warplut {
 

@@ -1,8 +1,8 @@
 #include "train/calibration/luma_plane.h"
 
-#include "datasets/luma.h"
-#include "runtime/pixel.h"
-#include "train/displayed_color.h"
+#include "runtime/core/pixel.h"
+#include "train/metrics/displayed_color.h"
+#include "train/metrics/luma.h"
 
 namespace warplut {
 namespace {

@@ -6,7 +6,7 @@
 #include "runtime/color_encoding.h"
 #include "runtime/executor.h"
 #include "runtime/image_view.h"
-#include "train/ssim.h"
+#include "train/metrics/ssim.h"
 
 namespace warplut {
 
@@ -17,7 +17,7 @@ struct LumaPlane {
   PlaneView view() const { return {values.data(), width, height, width}; }
 };
 
-// kLumaWeights (datasets/luma.h) of an RGBA image as a display shows it (train/displayed_color.h), 8-bit codes divided by 255.
+// kLumaWeights (train/metrics/luma.h) of an RGBA image as a display shows it (train/metrics/displayed_color.h), 8-bit codes divided by 255.
 LumaPlane LumaOf(const ImageView& image, ColorEncoding encoding, Executor& executor);
 
 }  // namespace warplut

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "datasets/file.h"
-#include "luts/json_header.h"
+#include "luts/fit/json_header.h"
 
 namespace warplut {
 namespace {

@@ -46,21 +46,6 @@ Parameters SearchSpace::ToParameters(std::span<const double> point) const {
   return parameters;
 }
 
-int FindParameter(const std::string& name) {
-  for (std::size_t i = 0; i < kParameters.size(); ++i) {
-    if (name == kParameters[i].name) return static_cast<int>(i);
-  }
-  return -1;
-}
-
-std::string ParameterNames() {
-  std::string names;
-  for (const ParameterInfo& info : kParameters) {
-    names += (names.empty() ? "" : ", ") + std::string(info.name);
-  }
-  return names;
-}
-
 double Distance(const Point& a, const Point& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));

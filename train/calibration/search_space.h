@@ -35,12 +35,6 @@ class SearchSpace {
   Parameters base_;
 };
 
-// The index in kParameters of that name, or -1.
-int FindParameter(const std::string& name);
-
-// All names, with commas between.
-std::string ParameterNames();
-
 // The largest difference of two points in a coordinate.
 double Distance(const Point& a, const Point& b);
 

@@ -1,7 +1,7 @@
 // The tiles whose losses a calibration tells apart.
 #pragma once
 
-#include "train/ssim.h"
+#include "train/metrics/ssim.h"
 
 namespace warplut {
 
@@ -10,7 +10,7 @@ inline constexpr int kTilesAcross = 8;
 inline constexpr int kMinTileSide = 16;
 inline constexpr int kMaxTileSide = 128;
 
-// Splits the SSIM map of a width x height image (train/ssim.h: smaller by the window) into tiles of nearly one size, row by row. The
+// Splits the SSIM map of a width x height image (train/metrics/ssim.h: smaller by the window) into tiles of nearly one size, row by row. The
 // window of a tile is the part of the image that its SSIMs look at: windows overlap, the tiles themselves do not.
 class TileGrid {
  public:

@@ -7,7 +7,7 @@
 
 #include "runtime/executor.h"
 #include "runtime/frame_generation.h"
-#include "tests/runtime/warp_fixture.h"
+#include "tests/runtime/warp/warp_fixture.h"
 
 namespace warplut::generation {
 

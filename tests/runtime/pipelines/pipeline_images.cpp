@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string>
 
-#include "runtime/choice_list.h"
+#include "runtime/configuration/choice_list.h"
 #include "tests/runtime/pipelines/lean_configurations.h"
 #include "tests/runtime/pipelines/moving_scene.h"
 

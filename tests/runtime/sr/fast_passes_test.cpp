@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "tests/runtime/sr/sr_fixture.h"
-#include "tests/runtime/warp_fixture.h"
+#include "tests/runtime/warp/warp_fixture.h"
 
 namespace warplut {
 namespace {

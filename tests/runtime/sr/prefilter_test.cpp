@@ -1,6 +1,6 @@
 // Super resolution whose history is warped by a filter with prefilter.
 #include "tests/runtime/sr/sr_fixture.h"
-#include "tests/runtime/warp_fixture.h"
+#include "tests/runtime/warp/warp_fixture.h"
 
 namespace warplut {
 namespace {

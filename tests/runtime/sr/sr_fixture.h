@@ -8,8 +8,8 @@
 #include <random>
 #include <utility>
 
+#include "runtime/core/pixel.h"
 #include "runtime/image_buffer.h"
-#include "runtime/pixel.h"
 #include "runtime/super_resolution.h"
 
 namespace warplut {

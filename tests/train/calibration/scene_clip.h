@@ -5,8 +5,8 @@
 #include <string>
 
 #include "datasets/scenes/scene_renderer.h"
-#include "train/image_views.h"
-#include "train/mode_run.h"
+#include "train/replay/image_views.h"
+#include "train/replay/mode_run.h"
 
 namespace warplut {
 

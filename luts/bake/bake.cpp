@@ -1,0 +1,91 @@
+#include "luts/bake/bake.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "datasets/error.h"
+#include "datasets/file.h"
+#include "luts/bake/baked_header.h"
+#include "luts/bake/exr.h"
+#include "luts/bake/released_layout.h"
+#include "luts/fit/json_header.h"
+#include "luts/fit/prefilter_json.h"
+#include "luts/quantize/quantize.h"
+
+namespace warplut {
+namespace {
+
+nlohmann::ordered_json Provenance(const Fit& fit) {
+  nlohmann::ordered_json json;
+  json["fit"] = fit.name;
+  json["objective"] = fit.objective;
+  json["optimizer"] = fit.optimizer;
+  json["seed"] = fit.seed;
+  json["horizons"] = fit.horizons;
+  json["gain_bound"] = fit.gain_bound;
+  json["keys_a"] = fit.keys_a;
+  json["options"] = fit.options;
+  nlohmann::ordered_json& data = json["data"] = nlohmann::ordered_json::array();
+  for (const FitData& d : fit.data) {
+    data.push_back({{"name", d.name}, {"sha1", d.sha1}, {"width", d.width}, {"height", d.height}});
+  }
+  nlohmann::ordered_json& validation = json["validation"] = nlohmann::ordered_json::array();
+  for (const FitScore& s : fit.validation) {
+    validation.push_back(
+        {{"filter", s.filter}, {"warps", s.warps}, {"offsets", s.offsets}, {"ssim", s.ssim}});
+  }
+  return json;
+}
+
+// The values as the last field, one row a line.
+std::string BakedJson(const Fit& fit, const TableView& table, const Certificate& certificate) {
+  nlohmann::ordered_json json;
+  json["format"] = kTableFormat;
+  json["version"] = HasPrefilter(table.prefilter) ? kTableVersion : 1;
+  json["name"] = fit.name;
+  json["scale"] = fit.scale;
+  json["nodes"] = kNodes;
+  json["storage"] = Name(table.format);
+  json["fraction_bits"] = FractionBits(table.format);
+  if (HasPrefilter(table.prefilter)) json["prefilter"] = ToJson(table.prefilter);
+  json["provenance"] = Provenance(fit);
+  json["certificate"] = ToJson(certificate);
+  std::string text = json.dump(1);
+  text.resize(text.rfind("\n}"));
+  text += ",\n \"values\": [\n";
+  const std::vector<IntegerRow> rows = TableIntegers(table, fit.name);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    text += fmt::format("  {}{}\n", fmt::join(rows[r], ","), r + 1 < rows.size() ? "," : "");
+  }
+  return text + " ]\n}\n";
+}
+
+}  // namespace
+
+bool BakeOptions::IsValid(std::string* why) const {
+  const bool valid = blend >= 0 && blend <= 1;
+  if (why != nullptr)
+    *why = valid ? "" : fmt::format("blend is {}, expected a number in [0, 1]", blend);
+  return valid;
+}
+
+BakedFiles Bake(const Fit& fit, const BakeOptions& options) {
+  std::string why;
+  if (!options.IsValid(&why)) throw Error("cannot bake: " + why);
+  if (!fit.IsValid(&why)) throw Error(fmt::format("cannot bake fit '{}': field {}", fit.name, why));
+  const BakedTable table = Quantize(SampleFit(fit, kNodes), options.format);
+  const Certificate certificate = Certify(fit, options.format, options.blend);
+  return {fit.name, BakedHeader(fit, table.view(), certificate),
+          BakedJson(fit, table.view(), certificate),
+          HasPrefilter(fit.prefilter) ? std::string() : EncodeExr(ToReleasedLayout(fit))};
+}
+
+void WriteBaked(const std::filesystem::path& folder, const BakedFiles& files) {
+  WriteFile(folder / (files.name + ".h"), files.header);
+  WriteFile(folder / (files.name + ".json"), files.json);
+  if (!files.exr.empty()) WriteFile(folder / (files.name + ".exr"), files.exr);
+}
+
+}  // namespace warplut

@@ -1,0 +1,34 @@
+// Baking: fit -> the files that a renderer compiles, uploads or reads.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "luts/certificate/certificate.h"
+#include "luts/fit/fit.h"
+
+namespace warplut {
+
+struct BakeOptions {
+  TableFormat format = TableFormat::kI16;  // of header and JSON; the EXR is always float
+  double blend = kDefaultBlend;            // of the certificate, in [0, 1]
+
+  bool IsValid(std::string* why) const;
+};
+
+// The bytes of the files NAME.h, NAME.json and NAME.exr, with NAME that of the fit.
+struct BakedFiles {
+  std::string name;
+  std::string header;  // C++20; includes luts/contract.h only
+  std::string json;    // "warplut-table"; docs/FORMATS.md
+  std::string exr;  // the released layout (released_layout.h); empty where the fit has a prefilter
+};
+
+// A pure function: the same fit and options give the same bytes. An Error names the field of the
+// fit or option that is not valid, or the node and weight that the format cannot hold.
+BakedFiles Bake(const Fit& fit, const BakeOptions& options = {});
+
+// Writes the files into an existing folder, each atomically; no EXR where it is empty.
+void WriteBaked(const std::filesystem::path& folder, const BakedFiles& files);
+
+}  // namespace warplut

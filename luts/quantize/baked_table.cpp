@@ -1,0 +1,162 @@
+#include "luts/quantize/baked_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "datasets/error.h"
+#include "luts/filters.h"
+#include "luts/half.h"
+#include "luts/quantize/real_table.h"
+
+namespace warplut {
+namespace {
+
+template <class T, class Encode>
+std::vector<T> Stored(const std::vector<IntegerRow>& rows, const Encode& encode) {
+  std::vector<T> stored;
+  stored.reserve(kTableValues);
+  for (const IntegerRow& row : rows) {
+    for (const std::int32_t q : row) stored.push_back(encode(q));
+  }
+  return stored;
+}
+
+// Where in the table value `index` is, for error sentences.
+std::string Place(const std::string& name, int index) {
+  const int row = index / kWeights;
+  return fmt::format("{}: weight {} of node ({}, {})", name, index % kWeights, row % kNodes,
+                     row / kNodes);
+}
+
+float Unit(TableFormat format) { return std::ldexp(1.0f, -FractionBits(format)); }
+
+std::int32_t IntegerOfFloat(float weight, TableFormat format, const std::string& name, int index) {
+  const float q = weight / Unit(format);
+  if (!(std::abs(weight) <= 2) || q != std::floor(q) ||
+      !CanStore(format, static_cast<std::int32_t>(q))) {
+    throw Error(fmt::format("{} is {}, expected a multiple of 2^-{} in [-2, 2), as {} stores it",
+                            Place(name, index), weight, FractionBits(format), Name(format)));
+  }
+  return static_cast<std::int32_t>(q);
+}
+
+std::int32_t IntegerAt(const TableView& view, const std::string& name, int index) {
+  switch (view.format) {
+    case TableFormat::kI16:
+      return static_cast<const std::int16_t*>(view.data)[index];
+    case TableFormat::kI8:
+      return static_cast<const std::int8_t*>(view.data)[index];
+    case TableFormat::kF16: {
+      const float weight = HalfToFloat(static_cast<const std::uint16_t*>(view.data)[index]);
+      return IntegerOfFloat(weight, view.format, name, index);
+    }
+    case TableFormat::kF32:
+      return IntegerOfFloat(static_cast<const float*>(view.data)[index], view.format, name, index);
+  }
+  return 0;
+}
+
+// Row (0, 0) of a table with prefilter. The middle weight is the one that closes the sum for the eight others.
+void CheckWholeOffset(const IntegerRow& row, const TableView& view, const std::string& name) {
+  const double side = static_cast<double>(view.prefilter.side);
+  const std::array<double, kTaps> taps = {side, 1 - 2 * side, side, 0};
+  const Weights<double> expected = Separable(taps, taps);
+  const Weights<double> found = RealRow(row, view.format);
+  for (int k = 0; k < kWeights; ++k) {
+    const double bound = (k == kIdentityWeight ? 2 : 1) * WholeOffsetTolerance(view.format);
+    if (std::abs(found[k] - expected[k]) <= bound) continue;
+    throw Error(fmt::format(
+        "{} is {}, expected {:.6f} of a prefilter with side {}: table and prefilter do not belong "
+        "together",
+        Place(name, k), found[k], expected[k], view.prefilter.side));
+  }
+}
+
+}  // namespace
+
+bool CanStore(TableFormat format, std::int32_t integer) {
+  const std::int32_t one = 1 << FractionBits(format);
+  if (integer < -2 * one || integer >= 2 * one) return false;
+  return format != TableFormat::kF16 || std::abs(integer) <= one || integer % 2 == 0;
+}
+
+BakedTable::BakedTable(TableFormat format, const std::vector<IntegerRow>& rows,
+                       const Prefilter& prefilter)
+    : prefilter_(prefilter) {
+  const float unit = Unit(format);
+  switch (format) {
+    case TableFormat::kI16:
+      storage_ = Stored<std::int16_t>(rows, [](auto q) { return static_cast<std::int16_t>(q); });
+      break;
+    case TableFormat::kF16:
+      storage_ = Stored<std::uint16_t>(
+          rows, [unit](auto q) { return FloatToHalf(unit * static_cast<float>(q)); });
+      break;
+    case TableFormat::kI8:
+      storage_ = Stored<std::int8_t>(rows, [](auto q) { return static_cast<std::int8_t>(q); });
+      break;
+    case TableFormat::kF32:
+      storage_ = Stored<float>(rows, [unit](auto q) { return unit * static_cast<float>(q); });
+      break;
+  }
+}
+
+TableView BakedTable::view() const {
+  return {format(),
+          std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, storage_),
+          prefilter_};
+}
+
+std::vector<IntegerRow> TableIntegers(const TableView& view, const std::string& name) {
+  std::vector<IntegerRow> rows(kRows);
+  for (int i = 0; i < kTableValues; ++i) {
+    rows[i / kWeights][i % kWeights] = IntegerAt(view, name, i);
+  }
+  return rows;
+}
+
+Weights<double> RealRow(const IntegerRow& row, TableFormat format) {
+  Weights<double> w;
+  for (int k = 0; k < kWeights; ++k) w[k] = std::ldexp(row[k], -FractionBits(format));
+  return w;
+}
+
+void CheckTable(const TableView& view, const std::string& name) {
+  const char* why = nullptr;
+  if (!IsValid(view.prefilter, &why)) throw Error(fmt::format("{}: the prefilter {}", name, why));
+  const bool prefiltered = HasPrefilter(view.prefilter);
+  const std::int32_t one = 1 << FractionBits(view.format);
+  const std::vector<IntegerRow> rows = TableIntegers(view, name);
+  for (int jy = 0; jy < kNodes; ++jy) {
+    for (int ix = 0; ix < kNodes; ++ix) {
+      const int r = RowIndex(ix, jy);
+      const std::int32_t sum = std::accumulate(rows[r].begin(), rows[r].end(), 0);
+      if (sum != one) {
+        throw Error(fmt::format("{}: the weights of node ({}, {}) sum to {} / {}, expected {} / {}",
+                                name, ix, jy, sum, one, one, one));
+      }
+      for (int k = 0; k < kWeights; ++k) {
+        if (rows[r][k] != 0 && IsContractZero(prefiltered, kNodes, ix, jy, k)) {
+          throw Error(fmt::format(
+              "{} is {} / {}, expected 0: a node with dx = 0 (dy = 0) has weights only in the "
+              "column (row) of tap 0{}",
+              Place(name, r * kWeights + k), rows[r][k], one,
+              prefiltered ? " and those beside it" : ""));
+        }
+        const int mirror = WeightIndex(MirroredTap(prefiltered, kNodes, ix, k % kTaps),
+                                       MirroredTap(prefiltered, kNodes, jy, k / kTaps));
+        if (rows[r][k] != rows[r][mirror]) {
+          throw Error(fmt::format(
+              "{} is {} / {}, expected {} as in weight {}: a node with dx = 0 (dy = 0) has equal "
+              "weights on both sides of tap 0",
+              Place(name, r * kWeights + k), rows[r][k], one, rows[r][mirror], mirror));
+        }
+      }
+    }
+  }
+  if (prefiltered) CheckWholeOffset(rows[0], view, name);
+}
+
+}  // namespace warplut

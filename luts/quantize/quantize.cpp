@@ -1,0 +1,127 @@
+#include "luts/quantize/quantize.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "datasets/error.h"
+#include "luts/fit/symmetry.h"
+#include "luts/quantize/row_closure.h"
+
+namespace warplut {
+namespace {
+
+void CheckRow(const RealTable& table, TableFormat format, int ix, int jy) {
+  const Weights<double>& row = table.Row(ix, jy);
+  const double one = std::ldexp(1.0, FractionBits(format));
+  double sum = 0;
+  for (int k = 0; k < kWeights; ++k) {
+    const double w = row[k];
+    const auto fail = [&](const char* expected) {
+      throw Error(fmt::format("{}: weight {} of node ({}, {}) is {}, expected {}", table.name, k,
+                              ix, jy, w, expected));
+    };
+    if (!std::isfinite(w)) fail("a finite number");
+    const double rounded = std::round(w * one);
+    if (rounded < -2 * one || rounded > 2 * one - 1) fail("a weight in [-2, 2)");
+    if (IsContractZero(HasPrefilter(table.prefilter), table.intervals, ix, jy, k) &&
+        std::abs(w) > kClosureTolerance) {
+      fail("0, as this offset is on the border of its cell");
+    }
+    sum += w;
+  }
+  if (std::abs(sum - 1) > kClosureTolerance) {
+    throw Error(fmt::format("{}: the weights of node ({}, {}) sum to {}, expected 1", table.name,
+                            ix, jy, sum));
+  }
+}
+
+// Groups of taps that must have equal weights: those that the symmetries in `group` which leave the node in place
+// exchange, and with a prefilter those that mirror each other about a whole offset. Contract zeros are left out.
+std::vector<std::vector<int>> TapGroups(const RealTable& table, int ix, int jy, int group) {
+  const int intervals = table.intervals;
+  const bool prefiltered = HasPrefilter(table.prefilter);
+  std::vector<std::vector<int>> groups;
+  for (int k = 0; k < kWeights; ++k) {
+    if (IsContractZero(prefiltered, intervals, ix, jy, k)) continue;
+    std::vector<int> taps;
+    for (int g = 0; g < group; ++g) {
+      if (MapOffset<int>(g, ix, jy, intervals) != std::array<int, 2>{ix, jy}) continue;
+      const int image = MapWeight(g, k);
+      const int x = image % kTaps, y = image / kTaps;
+      const int mirrored_x = MirroredTap(prefiltered, intervals, ix, x);
+      const int mirrored_y = MirroredTap(prefiltered, intervals, jy, y);
+      for (const int kx : {x, mirrored_x}) {
+        for (const int ky : {y, mirrored_y}) taps.push_back(WeightIndex(kx, ky));
+      }
+    }
+    std::sort(taps.begin(), taps.end());
+    taps.erase(std::unique(taps.begin(), taps.end()), taps.end());
+    if (taps.front() == k) groups.push_back(taps);
+  }
+  return groups;
+}
+
+IntegerRow RoundRow(const RealTable& table, TableFormat format, int ix, int jy, int group) {
+  const std::int32_t one = 1 << FractionBits(format);
+  const Weights<double>& row = table.Row(ix, jy);
+  const std::vector<std::vector<int>> groups = TapGroups(table, ix, jy, group);
+  std::vector<RoundingTerm> terms;
+  for (const std::vector<int>& taps : groups) {
+    double mean = 0;
+    for (const int k : taps) mean += row[k] / static_cast<double>(taps.size());
+    terms.push_back({mean * one, static_cast<int>(taps.size()), 0});
+  }
+  const RoundingGrid grid{-2 * one, 2 * one - 1, format == TableFormat::kF16 ? one : 2 * one};
+  if (!RoundToSum(one, grid, &terms)) {
+    throw Error(fmt::format(
+        "{}: the weights of node ({}, {}) have no rounding to {} with sum 1, expected one "
+        "within {} units of each weight",
+        table.name, ix, jy, Name(format), kMaxRoundingStep));
+  }
+  IntegerRow rounded{};
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (const int k : groups[i]) rounded[k] = terms[i].rounded;
+  }
+  return rounded;
+}
+
+}  // namespace
+
+std::vector<IntegerRow> RoundTable(const RealTable& table, TableFormat format) {
+  const int n = table.intervals;
+  for (int jy = 0; jy <= n; ++jy) {
+    for (int ix = 0; ix <= n; ++ix) CheckRow(table, format, ix, jy);
+  }
+  const int group = Asymmetry(table) <= kSymmetryTolerance ? kSymmetries : 1;
+  std::vector<IntegerRow> rows(table.rows.size());
+  for (int jy = 0; jy <= n; ++jy) {
+    for (int ix = 0; ix <= n; ++ix) {
+      // The first node of an orbit in storage order stands for all.
+      int first = table.RowAt(ix, jy);
+      for (int g = 0; g < group; ++g) {
+        const auto [gx, gy] = MapOffset<int>(g, ix, jy, n);
+        first = std::min(first, table.RowAt(gx, gy));
+      }
+      if (first != table.RowAt(ix, jy)) continue;
+      const IntegerRow rounded = RoundRow(table, format, ix, jy, group);
+      for (int g = 0; g < group; ++g) {
+        const auto [gx, gy] = MapOffset<int>(g, ix, jy, n);
+        for (int k = 0; k < kWeights; ++k) rows[table.RowAt(gx, gy)][MapWeight(g, k)] = rounded[k];
+      }
+    }
+  }
+  return rows;
+}
+
+BakedTable Quantize(const RealTable& table, TableFormat format) {
+  const std::vector<IntegerRow> rounded = RoundTable(table, format);
+  std::vector<IntegerRow> rows(kRows);
+  for (int jy = 0; jy < kNodes; ++jy) {
+    for (int ix = 0; ix < kNodes; ++ix) rows[RowIndex(ix, jy)] = rounded[table.RowAt(ix, jy)];
+  }
+  return {format, rows, table.prefilter};
+}
+
+}  // namespace warplut

@@ -1,0 +1,113 @@
+#include "tools/judge/sequence_scores.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "datasets/error.h"
+#include "train/metrics/displayed_color.h"
+#include "train/replay/image_views.h"
+#include "train/replay/judged_frames.h"
+
+namespace warplut {
+namespace {
+
+Image Difference(Image a, const Image& b) {
+  tbb::parallel_for(0, a.height, [&](int y) {
+    const std::size_t end = a.Index(0, y + 1);
+    for (std::size_t i = a.Index(0, y); i < end; ++i) a.data[i] -= b.data[i];
+  });
+  return a;
+}
+
+double MeanMilliseconds(const std::vector<double>& seconds) {
+  if (seconds.empty()) return 0;
+  const auto begin = seconds.begin() + (seconds.size() > 1 ? 1 : 0);
+  return 1000 * std::accumulate(begin, seconds.end(), 0.0) /
+         static_cast<double>(seconds.end() - begin);
+}
+
+}  // namespace
+
+FrameGeometry ReferenceGeometry(const ClipFrame& frame) {
+  return {.depth = frame.reference_depth.view(), .motion = frame.reference_motion.view()};
+}
+
+Image JudgedImage(const ImageView& image, ColorEncoding encoding) {
+  Image judged = ToImage(image);
+  if (encoding == ColorEncoding::kDisplay) return judged;
+  tbb::parallel_for(0, judged.height, [&](int y) {
+    for (int x = 0; x < judged.width; ++x) {
+      ToDisplay(encoding, &judged.data[judged.Index(x, y)]);
+    }
+  });
+  return judged;
+}
+
+SequenceJudge::SequenceJudge(const Clip& truth, const MethodInfo& method, int border, int settled)
+    : truth_(truth), method_(method), border_(border), settled_(static_cast<std::size_t>(settled)) {
+  scores_.method = method.name;
+}
+
+void SequenceJudge::Add(const ShownFrame& shown) {
+  if (shown.seconds > 0) seconds_.push_back(shown.seconds);
+  if (shown.frame < 0 || (method_.super_resolution && shown.frame == 0)) return;
+  const ClipFrame& truth = truth_.frames[static_cast<std::size_t>(shown.frame)];
+  const Image image = JudgedImage(shown.image, truth_.encoding);
+  const Image reference = JudgedImage(truth.reference.view(), truth_.encoding);
+  if (image.width != reference.width || image.height != reference.height) {
+    throw Error(fmt::format(
+        "the method {} shows {} x {} and the reference of '{}' is {} x {}; they cannot be compared",
+        method_.name, image.width, image.height, truth_.name, reference.width, reference.height));
+  }
+  const bool judged = IsJudged(method_, shown);
+  const bool settled = scores_.frames.size() >= settled_;
+  if (judged) {
+    scores_.frames.push_back(
+        CompareImages(fmt::format("{:04}", truth.number), image, reference, border_));
+  }
+  Image error = Difference(image, reference);
+  TemporalErrorSum sum;
+  const bool has_geometry =
+      truth.reference_depth.view().width > 0 && truth.reference_motion.view().width > 0;
+  if (has_geometry && !previous_error_.empty() && previous_ == shown.frame - 1 && !truth.cut) {
+    const ClipFrame& before = truth_.frames[static_cast<std::size_t>(previous_)];
+    sum = TemporalError(error, ReferenceGeometry(truth), previous_error_, ReferenceGeometry(before),
+                        border_);
+    temporal_ += sum;
+    if (settled) settled_temporal_ += sum;
+  }
+  if (judged) scores_.temporal.push_back(sum.Rms());
+  previous_ = shown.frame;
+  previous_error_ = std::move(error);
+}
+
+SequenceScores SequenceJudge::Finish() const {
+  if (scores_.frames.empty()) {
+    throw Error(fmt::format(
+        "the method {} showed no frame of '{}' that it is judged by and that has a reference",
+        method_.name, truth_.name));
+  }
+  if (settled_ >= scores_.frames.size()) {
+    throw Error(fmt::format(
+        "the settled mean leaves out {} frames and the method {} is judged by {} of '{}'; expected "
+        "at least one more",
+        settled_, method_.name, scores_.frames.size(), truth_.name));
+  }
+  SequenceScores scores = scores_;
+  scores.mean = MeanScore(scores.frames);
+  scores.temporal_error = temporal_.Rms();
+  if (settled_ > 0) {
+    const auto first = scores.frames.begin() + static_cast<std::ptrdiff_t>(settled_);
+    scores.settled = {.left_out = static_cast<int>(settled_),
+                      .mean = MeanScore({first, scores.frames.end()}),
+                      .temporal_error = settled_temporal_.Rms()};
+  }
+  scores.milliseconds = MeanMilliseconds(seconds_);
+  return scores;
+}
+
+}  // namespace warplut

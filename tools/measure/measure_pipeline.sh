@@ -1,0 +1,110 @@
+#!/bin/sh
+# Measures the pipeline and leaves the tables of docs/RESULTS.md for tools/measure/update_tables.sh.
+# usage: tools/measure/measure_pipeline.sh [--data DIR] OUT
+#   --data DIR   recorded sequences: each is judged with parameters that were calibrated on the others
+#                (default: $WARPLUT_DATA; without it only built-in scenes are measured)
+#   OUT          sequences, parameters and pictures; the tables go to OUT/tables
+# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
+set -eu
+
+# shellcheck source=tools/measure/measuring.sh
+. "$(dirname "$0")/measuring.sh"
+lut=luts/baked/warplut_sr_x2.json
+
+# defaults TABLE OPTION...: judges the recorded sequences with the default parameters.
+defaults() {
+  table=$out/tables/$1.md
+  shift
+  "$warplut" eval --sequence "$data"/*/ --modes sr,i,isr --lut "$lut" --markdown "$@" \
+    > "$table.part"
+  mv "$table.part" "$table"
+}
+
+# leave_one_out TABLE OPTION...: judges each recorded sequence with what the others ask for.
+leave_one_out() {
+  table=$out/tables/$1.md
+  shift
+  : > "$table.part"
+  for judged in "$data"/*/; do
+    name=$(basename "$judged")
+    params=$out/params/$name.json
+    set -- "$@" --
+    for other in "$data"/*/; do
+      if [ "$other" != "$judged" ]; then set -- "$@" "$other"; fi
+    done
+    # What stands behind '--' are the sequences to fit.
+    options=
+    while [ "$1" != -- ]; do
+      options="$options $1"
+      shift
+    done
+    shift
+    # shellcheck disable=SC2086 # the options have no spaces
+    "$warplut" calibrate --sequence "$@" --modes sr,i,e --lut "$lut" --max-pixels 60000 \
+      --starts 0 --out "$params" $options > "$params.txt"
+    # shellcheck disable=SC2086
+    "$warplut" eval --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" \
+      --params "$params" --pictures "$out/pictures$(echo "$options" | tr -d ' ')" --markdown $options \
+      > "$out/$name.txt"
+    grep -v '\.png: ' "$out/$name.txt" >> "$table.part"
+    # shellcheck disable=SC2086
+    set -- $options
+  done
+  mv "$table.part" "$table"
+}
+
+# scales TABLE: built-in scenes that nothing was fitted on, at factors that are not whole.
+scales() {
+  table=$out/tables/$1.md
+  : > "$table.part"
+  for scale in 1.5 1.7 3; do
+    for scene in gallery harbour colonnade; do
+      render_missing "$scene" "$out/scenes-x$scale" --scale "$scale" --width 714 --height 408 --frames 8
+    done
+    printf 'Factor %s:\n\n' "$scale" >> "$table.part"
+    "$warplut" eval --sequence "$out/scenes-x$scale"/* --modes sr --markdown \
+      --lut "luts/baked/warplut_sr_x$(echo "$scale" | tr . _).json" >> "$table.part"
+  done
+  mv "$table.part" "$table"
+}
+
+# hdr TABLE: built-in scenes that nothing was fitted on, as sRGB and as linear HDR, at the usual exposure and where much is above white.
+hdr() {
+  table=$out/tables/$1.md
+  : > "$table.part"
+  for exposure in 1 16; do
+    for colour in srgb linear; do
+      option=
+      if [ "$colour" = linear ]; then option=--linear; fi
+      for scene in gallery colonnade; do
+        # shellcheck disable=SC2086 # no option is no word
+        render_missing "$scene" "$out/scenes-$colour-$exposure" --exposure "$exposure" --width 480 --height 270 --frames 8 $option
+      done
+      printf '%s, exposure %s:\n\n' "$colour" "$exposure" >> "$table.part"
+      "$warplut" eval --sequence "$out/scenes-$colour-$exposure"/* --modes sr,i,e,isr --lut "$lut" --markdown >> "$table.part"
+    done
+  done
+  mv "$table.part" "$table"
+}
+
+# bench TABLE SUBCOMMAND
+bench() {
+  code=0
+  {
+    echo '```'
+    "$warplut" bench "$2" || code=$?
+    echo '```'
+  } > "$out/tables/$1.md"
+  if [ "$code" -ne 0 ] && [ "$code" -ne 3 ]; then exit "$code"; fi
+}
+
+scales pipeline-scales
+hdr pipeline-hdr
+if [ -n "$data" ]; then
+  leave_one_out pipeline-rendered
+  leave_one_out pipeline-texels --texels
+  defaults pipeline-defaults-rendered
+  defaults pipeline-defaults-texels --texels
+fi
+bench bench-sr sr
+bench bench-generation generation

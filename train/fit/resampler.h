@@ -1,0 +1,33 @@
+// What a training moves and an objective judges: the weights of the canonical nodes, and the
+// prefilter that they read through.
+#pragma once
+
+#include "luts/prefilter.h"
+#include "train/fit/canonical_nodes.h"
+
+namespace warplut {
+
+// As a gradient it holds the derivatives with respect to the same numbers: side and taps, each taken
+// to be independent of the others and of the weights.
+struct Resampler {
+  Resampler() = default;
+  // Without prefilter where none is given.
+  Resampler(const CanonicalWeights<double>& node_weights, const RealPrefilter& before = {})
+      : weights(node_weights), prefilter(before) {}
+
+  // Adds factor times the numbers of another.
+  void Add(double factor, const Resampler& other) {
+    for (int c = 0; c < kCanonicalNodes; ++c) {
+      for (int k = 0; k < kWeights; ++k) weights[c][k] += factor * other.weights[c][k];
+    }
+    prefilter.side += factor * other.prefilter.side;
+    for (int j = 0; j <= kLargestFirReach; ++j) {
+      prefilter.taps[j] += factor * other.prefilter.taps[j];
+    }
+  }
+
+  CanonicalWeights<double> weights{};
+  RealPrefilter prefilter = {};
+};
+
+}  // namespace warplut

@@ -1,0 +1,41 @@
+// Parameters -> resampler, with the gradient: MLP, head and prefilter.
+//
+// Parameters are those of the MLP (kMlpParameters), then the numbers of the prefilter
+// (train/fit/prefilter_map.h). The head's weights depend on the prefilter through its side.
+#pragma once
+
+#include <vector>
+
+#include "train/fit/head_batch.h"
+#include "train/fit/prefilter_map.h"
+#include "train/fit/resampler.h"
+
+namespace warplut {
+
+// One object serves one thread.
+class ResamplerModel {
+ public:
+  explicit ResamplerModel(const PrefilterMap& prefilter = {}) : map_(prefilter) {}
+
+  int size() const { return kMlpParameters + map_.size(); }
+  const PrefilterMap& map() const { return map_; }
+
+  // The resampler of size() parameters; valid until the next call.
+  const Resampler& Forward(const double* parameters);
+
+  // The same as a fit stores it: the prefilter rounded to float, the weights of its rounded side.
+  const Resampler& ForwardStored(const double* parameters);
+
+  // After Forward with the same parameters: writes d(loss)/d(parameters), given
+  // d(loss)/d(resampler).
+  void Backward(const double* parameters, const Resampler& gradient, double* parameter_gradient);
+
+ private:
+  const Resampler& Evaluate(const double* parameters, const RealPrefilter& prefilter);
+
+  PrefilterMap map_;
+  HeadBatch head_;
+  Resampler resampler_;
+};
+
+}  // namespace warplut

@@ -1,0 +1,53 @@
+// Frames of a sequence in memory, in the form that the runtime takes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "datasets/sequence.h"
+#include "runtime/frame_generation.h"
+#include "runtime/image_buffer.h"
+#include "runtime/super_resolution.h"
+
+namespace warplut {
+
+// Buffers of streams that were not loaded are empty (0 x 0).
+struct ClipFrame {
+  int number = 0;
+  bool cut = false;
+  Vec2 jitter;
+  ImageBuffer color, depth;
+  MotionBuffer motion;
+  ImageBuffer reference, reference_depth;
+  MotionBuffer reference_motion;
+
+  RenderedFrame Rendered() const;    // color, depth, motion with its jitter
+  DisplayedFrame Displayed() const;  // the references, as a display shows them
+};
+
+// Colour is RGBA8 where the sequence is sRGB and its files have 8 bits, else RGBA32F.
+struct Clip {
+  std::string name;
+  GridSize render, output;
+  ColorEncoding encoding = ColorEncoding::kDisplay;
+  bool quantised_motion = false;  // what HasQuantisedMotion says, where it is asked
+  std::vector<ClipFrame> frames;
+};
+
+// What of motion goes through the motion filter (runtime/motion_filter.h) before it is composed: the noise of quantisation adds up in what
+// is composed, and the filter finds the camera of one frame, not that of several.
+enum class MotionFiltering { kOff, kQuantised, kOn };
+
+// Loads the streams `which` of frames [first, first + count) by index. The motion of every frame is that from the frame `every`
+// before it in the sequence: composed along the frames between, so that a clip can be taken from every `every`-th frame; frames
+// that cannot be composed, as a cut lies between, are cuts. Motion that is composed is filtered before, as `filtering` says
+// (kQuantised: where that of some frame is quantised); motion of one frame, every = 1, is left to the passes, which are told
+// by quantised_motion: kQuantised asks for it of the motion that they see. Errors as LoadFrame.
+Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1,
+              MotionFiltering filtering = MotionFiltering::kOff);
+
+// Whether the motion of some frame is quantised (train/replay/motion_step.h): that of the render grid, or of the output grid where
+// that is not loaded.
+bool HasQuantisedMotion(const Clip& clip);
+
+}  // namespace warplut

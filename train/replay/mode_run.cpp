@@ -1,0 +1,369 @@
+#include "train/replay/mode_run.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "runtime/core/pixel.h"
+#include "train/replay/image_views.h"
+
+namespace warplut {
+namespace {
+
+// Times that differ by less are one.
+constexpr double kTimeSlack = 1e-5;
+
+bool HasHistory(const MethodInfo& method) {
+  if (!method.super_resolution) return false;
+  SuperResolutionOptions options;
+  method.configure_super_resolution(options);
+  return options.history;
+}
+
+bool Generates(const MethodInfo& method) { return method.generation != Generation::kNone; }
+
+bool WarpsFrames(const MethodInfo& method) {
+  return Generates(method) && method.generator == Generator::kWarped;
+}
+
+template <class Buffer>
+bool IsOn(const Buffer& buffer, GridSize grid) {
+  const auto view = buffer.view();
+  return view.width == grid.width && view.height == grid.height;
+}
+
+// Whether generation alone takes its frames from the references.
+bool TakesReferences(const Clip& clip) { return IsOn(clip.frames.front().reference, clip.output); }
+
+GridSize GenerationGrid(const Clip& clip, const MethodInfo& method) {
+  return method.super_resolution || TakesReferences(clip) ? clip.output : clip.render;
+}
+
+std::string WhyClipIsUnfit(const Clip& clip, const ModeRunOptions& options) {
+  const MethodInfo& method = *options.method;
+  if (clip.frames.empty()) return fmt::format("the clip of '{}' has no frames", clip.name);
+  const Streams needed =
+      NeededStreams(method, TakesReferences(clip) ? Streams::kAll : Streams::kRenderGrid);
+  for (const ClipFrame& frame : clip.frames) {
+    if (const char* stream = MissingStream(frame, clip, needed)) {
+      return fmt::format("frame {} of '{}' has no stream '{}', which the method {} needs",
+                         frame.number, clip.name, stream, method.name);
+    }
+  }
+  const int last = static_cast<int>(clip.frames.size()) - 1;
+  if (Generates(method) && last < options.every) {
+    return fmt::format(
+        "the clip of '{}' has {} frames, of which one in {} is rendered; the method {} needs two "
+        "that are",
+        clip.name, last + 1, options.every, method.name);
+  }
+  return {};
+}
+
+// A rendered frame as it is displayed: the clip's own buffers, or what super resolution made.
+struct Display {
+  DisplayedFrame frame;
+  double seconds = 0;
+  FrameTiles tiles;
+  ImageBuffer color, depth;  // what super resolution made; not used without it
+  MotionBuffer motion;
+};
+
+class Stopwatch {
+ public:
+  double Seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+class ModeRun {
+ public:
+  ModeRun(const Clip& clip, const ModeRunOptions& options, Executor& executor,
+          const ShownFrameSink& sink)
+      : clip_(clip),
+        options_(options),
+        method_(*options.method),
+        executor_(executor),
+        sink_(sink),
+        alphas_(Alphas(options)) {
+    if (method_.super_resolution) PrepareSuperResolution();
+    if (Generates(method_)) PrepareGeneration();
+  }
+
+  void Run() {
+    const int count = static_cast<int>(clip_.frames.size());
+    for (int index = 0, turn = 0; index < count; index += options_.every, ++turn) {
+      Display& now = displays_[turn % 2];
+      const Display& before = displays_[(turn + 1) % 2];
+      Render(index, now);
+      if (turn > 0 && method_.generation == Generation::kInterpolation) {
+        Generate(before, now, index - options_.every);
+      }
+      Show({.time = static_cast<double>(index),
+            .image = now.frame.color,
+            .seconds = now.seconds,
+            .tiles = now.tiles});
+      if (turn > 0 && method_.generation == Generation::kExtrapolation) {
+        Generate(before, now, index);
+      }
+    }
+  }
+
+ private:
+  void PrepareSuperResolution() {
+    super_resolution_.emplace(EffectiveSuperResolution(clip_, options_), executor_);
+    const bool linear = clip_.encoding == ColorEncoding::kLinearHdr;
+    const PixelFormat format = linear && options_.shown_format == PixelFormat::kRgba8
+                                   ? PixelFormat::kRgba16F
+                                   : options_.shown_format;
+    const auto [width, height] = clip_.output;
+    for (Display& display : displays_) {
+      display.color = ImageBuffer(width, height, format);
+      if (!Generates(method_)) continue;
+      display.depth = ImageBuffer(width, height, PixelFormat::kR32F);
+      display.motion = MotionBuffer(width, height);
+    }
+    if (!HasHistory(method_)) {
+      no_depth_ = ImageBuffer(clip_.render.width, clip_.render.height, PixelFormat::kR32F);
+      no_motion_ = MotionBuffer(clip_.render.width, clip_.render.height);
+    }
+  }
+
+  void PrepareGeneration() {
+    if (WarpsFrames(method_)) {
+      generation_.emplace(EffectiveGeneration(clip_, options_), executor_);
+    }
+    const GridSize grid = GenerationGrid(clip_, method_);
+    const ClipFrame& first = clip_.frames.front();
+    const PixelFormat format = method_.super_resolution ? displays_[0].color.view().format
+                               : TakesReferences(clip_) ? first.reference.view().format
+                                                        : first.color.view().format;
+    generated_ = ImageBuffer(grid.width, grid.height, format);
+  }
+
+  void Render(int index, Display& display) {
+    const ClipFrame& frame = clip_.frames[static_cast<std::size_t>(index)];
+    const auto id = static_cast<std::uint64_t>(index) + 1;
+    if (!super_resolution_) {
+      const RenderedFrame rendered = frame.Rendered();
+      display.frame = TakesReferences(clip_) ? frame.Displayed()
+                                             : DisplayedFrame{rendered.color, rendered.depth,
+                                                              rendered.motion, rendered.cut};
+      display.frame.id = id;
+      return;
+    }
+    RenderedFrame rendered = frame.Rendered();
+    if (!HasHistory(method_)) {
+      rendered.depth = no_depth_.view();
+      rendered.motion = no_motion_.view();
+    }
+    const Stopwatch watch;
+    super_resolution_->Process(rendered, display.color.view());
+    display.tiles = super_resolution_->Tiles();
+    display.frame = {
+        .color = display.color.view(), .depth = {}, .motion = {}, .cut = frame.cut, .id = id};
+    if (!Generates(method_)) {
+      display.seconds = watch.Seconds();
+      return;
+    }
+    const OutputGeometry geometry = super_resolution_->Geometry();
+    display.seconds = watch.Seconds();
+    CopyPixels(geometry.depth, display.depth.view());
+    CopyMotion(geometry.motion, display.motion.view());
+    display.frame.depth = display.depth.view();
+    display.frame.motion = display.motion.view();
+  }
+
+  // Shows the frames between two displayed ones or after the later, from time `begin` on.
+  void Generate(const Display& before, const Display& now, int begin) {
+    for (const float alpha : alphas_) {
+      const Stopwatch watch;
+      const ImageView image = GenerateAt(before.frame, now.frame, alpha);
+      Show({.time = begin + static_cast<double>(alpha) * options_.every,
+            .generated = true,
+            .image = image,
+            .seconds = watch.Seconds(),
+            .tiles = generation_ ? generation_->Tiles() : FrameTiles{}});
+    }
+  }
+
+  ImageView GenerateAt(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha) {
+    switch (method_.generator) {
+      case Generator::kRepeat:
+        return method_.generation == Generation::kExtrapolation ? frame1.color : frame0.color;
+      case Generator::kAverage:
+        Blend(frame0.color, frame1.color, alpha);
+        break;
+      case Generator::kWarped:
+        if (method_.generation == Generation::kInterpolation) {
+          generation_->Interpolate(frame0, frame1, alpha, generated_.view());
+        } else {
+          generation_->Extrapolate(frame0, frame1, alpha, generated_.view());
+        }
+        break;
+    }
+    return generated_.view();
+  }
+
+  void Blend(const ImageView& a, const ImageView& b, float share) {
+    const MutableImageView out = generated_.view();
+    executor_.ForEach(out.height, [&](int y) {
+      for (int x = 0; x < out.width; ++x) {
+        const void* pa = a.At(x, y);
+        const void* pb = b.At(x, y);
+        void* po = out.At(x, y);
+        for (int c = 0; c < 4; ++c) {
+          const float va = LoadChannel(a.format, pa, c), vb = LoadChannel(b.format, pb, c);
+          StoreChannel(out.format, va + share * (vb - va), po, c);
+        }
+      }
+    });
+  }
+
+  void Show(ShownFrame shown) {
+    const double whole = std::round(shown.time);
+    if (std::abs(shown.time - whole) < kTimeSlack) {
+      shown.time = whole;
+      if (whole < static_cast<double>(clip_.frames.size())) shown.frame = static_cast<int>(whole);
+    }
+    sink_(shown);
+  }
+
+  const Clip& clip_;
+  const ModeRunOptions& options_;
+  const MethodInfo& method_;
+  Executor& executor_;
+  const ShownFrameSink& sink_;
+  const std::vector<float> alphas_;
+  std::optional<SuperResolution> super_resolution_;
+  std::optional<FrameGeneration> generation_;
+  std::array<Display, 2> displays_;
+  ImageBuffer generated_;
+  ImageBuffer no_depth_;  // for methods that look at neither
+  MotionBuffer no_motion_;
+};
+
+}  // namespace
+
+Streams NeededStreams(const MethodInfo& method, Streams available) {
+  if (method.super_resolution) {
+    return HasHistory(method) ? Streams::kRenderGrid : Streams::kColor;
+  }
+  if (Contains(available, Streams::kReference)) {
+    return WarpsFrames(method) ? Streams::kOutputGrid : Streams::kReference;
+  }
+  return WarpsFrames(method) ? Streams::kRenderGrid : Streams::kColor;
+}
+
+std::vector<float> Alphas(const ModeRunOptions& options) {
+  if (!options.alphas.empty()) return options.alphas;
+  std::vector<float> alphas;
+  for (int k = 1; k <= options.generated; ++k) {
+    alphas.push_back(static_cast<float>(k) / static_cast<float>(options.generated + 1));
+  }
+  return alphas;
+}
+
+const char* MissingStream(const ClipFrame& frame, const Clip& clip, Streams needed) {
+  const auto lacks = [&](Streams stream, const auto& buffer, GridSize grid) {
+    return Contains(needed, stream) && !IsOn(buffer, grid);
+  };
+  if (lacks(Streams::kColor, frame.color, clip.render)) return "color";
+  if (lacks(Streams::kDepth, frame.depth, clip.render)) return "depth";
+  if (lacks(Streams::kMotion, frame.motion, clip.render)) return "motion";
+  if (lacks(Streams::kReference, frame.reference, clip.output)) return "reference";
+  if (lacks(Streams::kReferenceDepth, frame.reference_depth, clip.output)) {
+    return "reference_depth";
+  }
+  if (lacks(Streams::kReferenceMotion, frame.reference_motion, clip.output)) {
+    return "reference_motion";
+  }
+  return nullptr;
+}
+
+SuperResolutionOptions EffectiveSuperResolution(const Clip& clip, const ModeRunOptions& options) {
+  SuperResolutionOptions effective = options.super_resolution;
+  effective.render_width = clip.render.width;
+  effective.render_height = clip.render.height;
+  effective.output_width = clip.output.width;
+  effective.output_height = clip.output.height;
+  effective.encoding = clip.encoding;
+  if (options.filter_quantised_motion && clip.quantised_motion) effective.motion_filter = true;
+  options.method->configure_super_resolution(effective);
+  if (options.method->paper) effective.parameters = kPaperParameters;
+  return effective;
+}
+
+FrameGenerationOptions EffectiveGeneration(const Clip& clip, const ModeRunOptions& options) {
+  FrameGenerationOptions effective = options.generation;
+  const GridSize grid = GenerationGrid(clip, *options.method);
+  effective.width = grid.width;
+  effective.height = grid.height;
+  effective.encoding = clip.encoding;
+  // Super resolution hands over motion that is filtered already.
+  if (options.method->super_resolution) {
+    effective.motion_filter = false;
+  } else if (options.filter_quantised_motion && clip.quantised_motion) {
+    effective.motion_filter = true;
+  }
+  options.method->configure_generation(effective);
+  if (options.method->paper) effective.parameters = kPaperParameters;
+  return effective;
+}
+
+bool AreTimesValid(const ModeRunOptions& options, std::string* why) {
+  std::string reason;
+  if (options.generated < 1 || options.generated > kMostGenerated) {
+    reason = fmt::format("generated is {}; expected 1 to {}", options.generated, kMostGenerated);
+  }
+  float last = 0;
+  for (const float alpha : options.alphas) {
+    if (!(alpha >= kAlphaStep && alpha <= 1 - kAlphaStep)) {
+      reason = fmt::format("alpha is {}; expected a time in (0, 1), at least {} from both ends",
+                           alpha, kAlphaStep);
+    } else if (!(alpha - last >= 0.99f * kAlphaStep)) {
+      reason = fmt::format("alpha {} comes after {}; expected ascending times, at least {} apart",
+                           alpha, last, kAlphaStep);
+    }
+    if (!reason.empty()) break;
+    last = alpha;
+  }
+  if (why != nullptr) *why = reason;
+  return reason.empty();
+}
+
+bool ModeRunOptions::IsValid(const Clip& clip, std::string* why) const {
+  std::string reason;
+  if (method == nullptr) {
+    reason = "no method is given";
+  } else {
+    if (every < 1) reason = fmt::format("every is {}; expected at least 1", every);
+    if (reason.empty()) AreTimesValid(*this, &reason);
+    if (reason.empty()) reason = WhyClipIsUnfit(clip, *this);
+    if (reason.empty() && shown_format == PixelFormat::kR32F) {
+      reason = "the format of shown frames is r32f; expected rgba8, rgba16f or rgba32f";
+    }
+    if (reason.empty() && method->configure_super_resolution != nullptr) {
+      EffectiveSuperResolution(clip, *this).IsValid(&reason);
+    }
+    if (reason.empty() && method->configure_generation != nullptr) {
+      EffectiveGeneration(clip, *this).IsValid(&reason);
+    }
+  }
+  if (why != nullptr) *why = reason;
+  return reason.empty();
+}
+
+void RunMode(const Clip& clip, const ModeRunOptions& options, Executor& executor,
+             const ShownFrameSink& sink) {
+  ModeRun(clip, options, executor, sink).Run();
+}
+
+}  // namespace warplut
