@@ -38,6 +38,9 @@ struct DisplayedFrame {
   ImageView color;
   ImageView depth;
   MotionView motion;
+  // Shares nothing with the frame before, or there is none: the first frame of all, one after a camera cut or after
+  // SuperResolution::Reset (OutputGeometry::cut tells). Its motion leads nowhere: as frame 0 it makes the motion uniform. What engines
+  // write there, often 0, would count as an acceleration.
   bool cut = false;
   // Not 0: tells the frame from all others that this object is given. A filter with prefilter then turns its colour into
   // coefficients once, however many frames are generated from it. 0: at every call.

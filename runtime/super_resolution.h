@@ -81,6 +81,8 @@ struct SuperResolutionOptions {
 struct OutputGeometry {
   ImageView depth;    // R32F, in [0, kFarthestDepth]
   MotionView motion;  // output pixels
+  // DisplayedFrame::cut: the frame was the first, a cut, or the first after Reset. Its motion leads to no frame that was shown.
+  bool cut = false;
 };
 
 class SuperResolution {

@@ -70,6 +70,7 @@ struct SuperResolution::State {
   MotionBuffer geometry_motion;
   float jitter_x_before = 0, jitter_y_before = 0;
   bool has_history = false;   // the frame before is kept
+  bool is_cut = true;         // the last frame shared nothing with one before
   bool has_geometry = false;  // the geometry buffers are those of the last frame
 };
 
@@ -165,7 +166,8 @@ inline void SuperResolution::State::Process(const RenderedFrame& frame,
   const int render_rows = options.render_height;
   x.SetJitter(frame.jitter_x);
   y.SetJitter(frame.jitter_y);
-  has_history = has_history && KeepsHistory(options) && !frame.cut;
+  is_cut = !has_history || frame.cut;
+  has_history = !is_cut && KeepsHistory(options);
   has_geometry = false;
 
   const MotionView motion = Filtered(frame);
@@ -227,7 +229,9 @@ OutputGeometry SuperResolution::Geometry() {
     });
     s.has_geometry = true;
   }
-  return {std::as_const(s.geometry_depth).view(), std::as_const(s.geometry_motion).view()};
+  return {.depth = std::as_const(s.geometry_depth).view(),
+          .motion = std::as_const(s.geometry_motion).view(),
+          .cut = s.is_cut};
 }
 
 void SuperResolution::Reset() { state_->has_history = false; }

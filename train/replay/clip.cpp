@@ -184,6 +184,7 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
   tbb::parallel_for(begin, first + count, [&](int index) {
     Frame& frame = loaded[static_cast<std::size_t>(index - begin)];
     frame = LoadFrame(sequence, index, index < first ? composed : which | composed);
+    frame.cut = frame.cut || index == 0;
     if (index < first) return;
     ClipFrame& out = clip.frames[static_cast<std::size_t>(index - first)];
     out.number = frame.number;

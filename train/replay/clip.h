@@ -14,7 +14,7 @@ namespace warplut {
 // Buffers of streams that were not loaded are empty (0 x 0).
 struct ClipFrame {
   int number = 0;
-  bool cut = false;
+  bool cut = false;  // the first frame of a sequence too: no frame is before it
   Vec2 jitter;
   ImageBuffer color, depth;
   MotionBuffer motion;
@@ -40,7 +40,8 @@ enum class MotionFiltering { kOff, kQuantised, kOn };
 
 // Loads the streams `which` of frames [first, first + count) by index. The motion of every frame is that from the frame `every`
 // before it in the sequence: composed along the frames between, so that a clip can be taken from every `every`-th frame; frames
-// that cannot be composed, as a cut lies between, are cuts. Motion that is composed is filtered before, as `filtering` says
+// that cannot be composed, as a cut lies between, are cuts. The first frame of a sequence is one, whatever its motion: engines
+// write 0 there, or the motion since a frame that was never shown. Motion that is composed is filtered before, as `filtering` says
 // (kQuantised: where that of some frame is quantised); motion of one frame, every = 1, is left to the passes, which are told
 // by quantised_motion: kQuantised asks for it of the motion that they see. Errors as LoadFrame.
 Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1,

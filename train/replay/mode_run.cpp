@@ -179,6 +179,7 @@ class ModeRun {
     CopyMotion(geometry.motion, display.motion.view());
     display.frame.depth = display.depth.view();
     display.frame.motion = display.motion.view();
+    display.frame.cut = geometry.cut;
   }
 
   // Shows the frames between two displayed ones or after the later, from time `begin` on.

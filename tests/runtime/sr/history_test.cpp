@@ -109,6 +109,30 @@ TEST(History, CutResetAndFirstFrameAreTheCurrentFrameAlone) {
   EXPECT_TRUE(SameBits(out, fresh));
 }
 
+TEST(History, GeometryTellsFramesThatShareNothingWithOneBefore) {
+  for (const bool history : {true, false}) {
+    SuperResolutionOptions options = Options();
+    options.history = history;
+    SerialExecutor executor;
+    TestFrame frame(kWidth, kHeight);
+    ImageBuffer out = OutputOf(options);
+    SuperResolution sr(options, executor);
+    const auto is_cut = [&](bool cut) {
+      frame.cut = cut;
+      sr.Process(frame.View(), out.view());
+      return sr.Geometry().cut;
+    };
+    EXPECT_TRUE(is_cut(false));
+    EXPECT_FALSE(is_cut(false));
+    EXPECT_TRUE(is_cut(true));
+    EXPECT_FALSE(is_cut(false));
+    sr.Reset();
+    EXPECT_FALSE(sr.Geometry().cut) << "of the frame before";
+    EXPECT_TRUE(is_cut(false));
+    EXPECT_FALSE(is_cut(false));
+  }
+}
+
 TEST(History, IsNotUsedWhereMotionIsMissing) {
   SuperResolutionOptions options = Options();
   SerialExecutor executor;

@@ -121,9 +121,12 @@ TEST(Clip, IsFloatWhereTheSequenceIsLinear) {
 TEST(Clip, ComposesMotionOverSeveralFrames) {
   const TemporaryFolder folder;
   const Sequence sequence = WritePan(folder / "pan");
-  const Clip clip = LoadClip(sequence, 1, 4, Streams::kMotion | Streams::kReferenceMotion, 3);
-  EXPECT_TRUE(clip.frames[0].cut) << "motion before the sequence is not known";
-  for (int i = 1; i < 4; ++i) {
+  const Clip clip = LoadClip(sequence, 1, 5, Streams::kMotion | Streams::kReferenceMotion, 3);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(clip.frames[static_cast<std::size_t>(i)].cut)
+        << "motion to the first frame of the sequence is not known";
+  }
+  for (int i = 2; i < 5; ++i) {
     const ClipFrame& frame = clip.frames[static_cast<std::size_t>(i)];
     EXPECT_FALSE(frame.cut);
     EXPECT_NEAR(frame.motion.view().Row(16)[2 * 20], 3 * 1.25, 1e-5);
@@ -139,7 +142,23 @@ TEST(Clip, DoesNotComposeAcrossACut) {
   for (const ClipFrame& frame : LoadClip(sequence, 0, 6, Streams::kMotion, 2).frames) {
     cuts.push_back(frame.cut);
   }
-  EXPECT_EQ(cuts, (std::vector<bool>{true, false, true, true, false, false}));
+  EXPECT_EQ(cuts, (std::vector<bool>{true, true, true, true, false, false}));
+}
+
+TEST(Clip, TheFirstFrameOfASequenceIsACut) {
+  const TemporaryFolder folder;
+  const Sequence sequence = WritePan(folder / "pan");
+  const auto cuts = [&](int first, int every) {
+    std::vector<bool> all;
+    for (const ClipFrame& frame : LoadClip(sequence, first, 3, Streams::kMotion, every).frames) {
+      all.push_back(frame.cut);
+    }
+    return all;
+  };
+  EXPECT_EQ(cuts(0, 1), (std::vector<bool>{true, false, false}));
+  EXPECT_EQ(cuts(1, 1), (std::vector<bool>{false, false, false}));
+  EXPECT_EQ(cuts(1, 2), (std::vector<bool>{true, false, false})) << "it begins at the first";
+  EXPECT_EQ(cuts(2, 2), (std::vector<bool>{false, false, false}));
 }
 
 TEST(Clip, RefusesWhatIsNotThere) {

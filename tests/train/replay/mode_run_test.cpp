@@ -157,6 +157,38 @@ TEST_F(ModeRunTest, EveryMethodFollowsThePan) {
   EXPECT_GT(Psnr(sr[5].image, Reference(dense, 5)), Psnr(bicubic[5].image, Reference(dense, 5)));
 }
 
+TEST_F(ModeRunTest, TheMotionOfTheFirstFrameIsNotTrusted) {
+  const PanOptions pan = {.frames = 4, .speed_x = 8};
+  PanOptions still = pan;
+  still.still_first_motion = true;
+  for (const int every : {1, 2}) {
+    const Clip moving = Load(every, pan), clip = Load(every, still);
+    for (const MethodInfo& method : Methods()) {
+      const auto expected = Run(moving, Options(method.name, every));
+      const auto shown = Run(clip, Options(method.name, every));
+      ASSERT_EQ(shown.size(), expected.size());
+      for (std::size_t i = 0; i < shown.size(); ++i) {
+        EXPECT_EQ(shown[i].image.data, expected[i].image.data) << method.name << " " << i;
+      }
+    }
+  }
+  const auto between = Run(Load(1, still), Options("i"));
+  const Pan texture(pan);
+  const auto psnr = [&](std::size_t i) {
+    Image exact(pan.output.width, pan.output.height, 3);
+    for (int y = 0; y < exact.height; ++y) {
+      for (int x = 0; x < exact.width; ++x) {
+        for (int c = 0; c < 3; ++c) {
+          exact.at(x, y, c) = texture.At(x + 0.5, y + 0.5, between[i].time, c);
+        }
+      }
+    }
+    return Psnr(between[i].image, exact);
+  };
+  EXPECT_NEAR(psnr(1), psnr(3), 1);
+  EXPECT_GT(psnr(1), 35);
+}
+
 TEST_F(ModeRunTest, TheSameBitsForAnyNumberOfThreads) {
   const Clip dense = Load(1), sparse = Load(2);
   for (const MethodInfo& method : Methods()) {

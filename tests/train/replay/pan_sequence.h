@@ -20,6 +20,7 @@ struct PanOptions {
   Streams streams = Streams::kAll;
   std::vector<int> cuts = {};
   bool jitter = true;
+  bool still_first_motion = false;  // the motion of the first frame is 0, as engines write it
 };
 
 class Pan {
@@ -27,7 +28,7 @@ class Pan {
   explicit Pan(const PanOptions& options) : options_(options) {}
 
   // The texture at an output position of a frame.
-  float At(double x, double y, int frame, int channel) const {
+  float At(double x, double y, double frame, int channel) const {
     const double u = x - options_.speed_x * frame, v = y - options_.speed_y * frame;
     return static_cast<float>(0.5 + 0.2 * std::sin(1.4 * u + channel) * std::cos(0.8 * v) +
                               0.15 * std::sin(0.23 * u - 0.31 * v));
@@ -38,15 +39,16 @@ class Pan {
     const auto [rw, rh] = options_.render;
     const auto [ow, oh] = options_.output;
     const double sx = static_cast<double>(ow) / rw, sy = static_cast<double>(oh) / rh;
+    const bool still = index == 0 && options_.still_first_motion;
+    const double speed_x = still ? 0 : options_.speed_x, speed_y = still ? 0 : options_.speed_y;
     frame.color = Color(rw, rh, sx, sy, jitter, index);
     frame.depth = Constant(rw, rh, {0.5f});
-    frame.motion = Constant(
-        rw, rh,
-        {static_cast<float>(options_.speed_x / sx), static_cast<float>(options_.speed_y / sy)});
+    frame.motion =
+        Constant(rw, rh, {static_cast<float>(speed_x / sx), static_cast<float>(speed_y / sy)});
     frame.reference = Color(ow, oh, 1, 1, {}, index);
     frame.reference_depth = Constant(ow, oh, {0.5f});
-    frame.reference_motion = Constant(
-        ow, oh, {static_cast<float>(options_.speed_x), static_cast<float>(options_.speed_y)});
+    frame.reference_motion =
+        Constant(ow, oh, {static_cast<float>(speed_x), static_cast<float>(speed_y)});
     return frame;
   }
 
