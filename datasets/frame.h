@@ -20,7 +20,7 @@ struct Camera {
 };
 
 // Streams that a sequence lacks are empty images.
-//   color, reference  RGB: what the display gets, [0, 1], or linear HDR where the sequence says so.
+//   color, reference  RGB: what the display gets, [0, 1], or linear HDR where the sequence says so: any number, infinity too.
 //   depth             1 channel: view depth divided by the far plane, 0 at the camera, 1 at far;
 //                     background +1 or +infinity.
 //   motion            2 channels x, y: displacement in pixels of its own grid, from frame f-1 to frame f, of what

@@ -36,15 +36,17 @@ class FrameReader {
   Image Color(const ColorStream& stream, GridSize grid) const {
     const fs::path path = PathOf(stream.path);
     Check(path, grid, stream.channels, 0, Encoding::kFloat);
-    Image color = ToRgb(ReadImage(path, stream.channels));
-    if (sequence_.color_space == ColorSpace::kSrgb) CheckDisplayRange(path, &color);
+    const bool linear = sequence_.color_space == ColorSpace::kLinear;
+    Image color =
+        ToRgb(ReadImage(path, stream.channels, linear ? Values::kNumbers : Values::kFinite));
+    if (!linear) CheckDisplayRange(path, &color);
     return color;
   }
 
   Image Depth(const DepthStream& stream, GridSize grid) const {
     const fs::path path = PathOf(stream.path);
     Check(path, grid, stream.channels, 1, stream.encoding);
-    return DecodeDepth(ReadImage(path, stream.channels, false), stream, path.string());
+    return DecodeDepth(ReadImage(path, stream.channels, Values::kAll), stream, path.string());
   }
 
   Image Motion(const MotionStream& stream, GridSize grid) const {
@@ -52,7 +54,7 @@ class FrameReader {
     if (!stream.path.empty()) {
       const fs::path path = PathOf(stream.path);
       Check(path, grid, stream.channels, 2, stream.encoding);
-      const Image both = ReadImage(path, stream.channels, false);
+      const Image both = ReadImage(path, stream.channels, Values::kAll);
       for (int c = 0; c < 2; ++c) DecodeMotion(Channel(both, c), stream, c, path.string(), &motion);
       return motion;
     }
@@ -63,7 +65,7 @@ class FrameReader {
         channels = {channels[static_cast<std::size_t>(c)]};
       }
       Check(path, grid, channels, 1, stream.encoding);
-      DecodeMotion(ReadImage(path, channels, false), stream, c, path.string(), &motion);
+      DecodeMotion(ReadImage(path, channels, Values::kAll), stream, c, path.string(), &motion);
     }
     return motion;
   }

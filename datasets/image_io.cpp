@@ -84,17 +84,21 @@ std::vector<int> FindChannels(const fs::path& path, const OIIO::ImageSpec& spec,
   return found;
 }
 
-void CheckFinite(const fs::path& path, const Image& image, const std::vector<int>& channels,
-                 const OIIO::ImageSpec& spec) {
-  const auto bad =
-      std::find_if(image.data.begin(), image.data.end(), [](float v) { return !std::isfinite(v); });
+void CheckValues(const fs::path& path, const Image& image, const std::vector<int>& channels,
+                 const OIIO::ImageSpec& spec, Values accepted) {
+  if (accepted == Values::kAll) return;
+  const bool finite = accepted == Values::kFinite;
+  const auto bad = std::find_if(image.data.begin(), image.data.end(), [&](float v) {
+    return finite ? !std::isfinite(v) : std::isnan(v);
+  });
   if (bad == image.data.end()) return;
   const auto i = static_cast<std::size_t>(bad - image.data.begin());
   const std::size_t n = channels.size(), pixel = i / n,
                     width = static_cast<std::size_t>(image.width);
   FailRead(path,
-           fmt::format("pixel ({}, {}), channel {}, is {}; expected a finite number", pixel % width,
-                       pixel / width, spec.channel_name(channels[i % n]), *bad));
+           fmt::format("pixel ({}, {}), channel {}, is {}; expected a {}", pixel % width,
+                       pixel / width, spec.channel_name(channels[i % n]), *bad,
+                       finite ? "finite number" : "number"));
 }
 
 OIIO::TypeDesc OiioType(PixelType type) {
@@ -184,7 +188,7 @@ ImageInfo ReadImageInfo(const fs::path& path) {
           !type.is_floating_point()};
 }
 
-Image ReadImage(const fs::path& path, const std::vector<std::string>& channels, bool finite) {
+Image ReadImage(const fs::path& path, const std::vector<std::string>& channels, Values accepted) {
   const auto input = Open(path);
   const OIIO::ImageSpec spec = input->spec();
   const std::vector<int> wanted = FindChannels(path, spec, channels);
@@ -218,7 +222,7 @@ Image ReadImage(const fs::path& path, const std::vector<std::string>& channels, 
   } catch (const std::bad_alloc&) {
     FailRead(path, fmt::format("there is no memory for {} x {} pixels", spec.width, spec.height));
   }
-  if (finite) CheckFinite(path, image, wanted, spec);
+  CheckValues(path, image, wanted, spec, accepted);
   return image;
 }
 

@@ -27,14 +27,17 @@ struct ImageInfo {
 // Errors as ReadImage, as far as the header shows them. Any number of channels.
 ImageInfo ReadImageInfo(const std::filesystem::path& path);
 
+// The values that a caller takes; kNumbers are all but NaN.
+enum class Values : std::uint8_t { kFinite, kNumbers, kAll };
+
 // Reads any file that OpenImageIO knows. Integer formats are scaled to [0, 1]; nothing is converted
 // between colour spaces, alpha is left as stored. Width, height >= 1, 1 to 4 channels (with
 // `channels` empty) or exactly the named channels in the given order. Errors (one sentence, naming
 // the file): missing, not an image, truncated, side above kMaxImageSide, deep or volume data, a
-// data window that is not the display window, a channel that is not there, and with `finite` a NaN
-// or infinite value (with its pixel and channel).
+// data window that is not the display window, a channel that is not there, and a value that is not
+// accepted (with its pixel and channel).
 Image ReadImage(const std::filesystem::path& path, const std::vector<std::string>& channels = {},
-                bool finite = true);
+                Values accepted = Values::kFinite);
 
 enum class PixelType : std::uint8_t { kUint8, kUint16, kHalf, kFloat };
 

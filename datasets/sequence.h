@@ -75,8 +75,8 @@ std::string SequenceJson(const Sequence& sequence);
 //
 // Error, naming the file or the stream and the sequence: index out of range, a stream that the
 // manifest lacks, a missing or damaged file, a file of another size or with other channels, a NaN, an
-// infinite value (but in depth, where +infinity is background), a negative depth, and a colour outside
-// [0, 1] unless the sequence is linear. Threads may load frames of one sequence at the same time.
+// infinite value (but in depth, where +infinity is background, and in linear colour, which is left as it is: LoadClip
+// limits it), a negative depth, and a colour outside [0, 1] unless the sequence is linear. Threads may load frames of one sequence at the same time.
 Frame LoadFrame(const Sequence& sequence, int index, Streams which);
 
 }  // namespace warplut

@@ -14,6 +14,7 @@
 #include "tools/pipeline_options.h"
 #include "tools/progress.h"
 #include "tools/thread_limit.h"
+#include "tools/warning.h"
 #include "train/calibration/clip_crop.h"
 #include "train/calibration/clip_loss.h"
 #include "train/replay/parameters_file.h"
@@ -118,6 +119,7 @@ std::vector<Part> PartsOf(const CalibrateArguments& arguments, const Pipeline& p
 std::vector<ClipRun> RunsOf(const CalibrateArguments& arguments, const Pipeline& pipeline,
                             const std::vector<const MethodInfo*>& methods, const Part& part) {
   std::vector<ClipRun> runs;
+  std::vector<const Clip*> clips;
   for (const bool generates : {false, true}) {
     const int every = generates ? arguments.every : 1;
     std::vector<const MethodInfo*> same;
@@ -131,7 +133,9 @@ std::vector<ClipRun> RunsOf(const CalibrateArguments& arguments, const Pipeline&
     for (const MethodInfo* method : same) {
       runs.push_back({.clip = clip, .options = pipeline.Options(*method, every)});
     }
+    clips.push_back(clip.get());
   }
+  WarnOfLimitedColor(clips);
   return runs;
 }
 

@@ -10,6 +10,7 @@
 #include "tools/pipeline_options.h"
 #include "tools/progress.h"
 #include "tools/sequence_pictures.h"
+#include "tools/warning.h"
 #include "train/replay/judged_frames.h"
 
 namespace warplut {
@@ -73,6 +74,7 @@ LoadedSequence LoadSequence(const SequenceEvalArguments& arguments, const Pipeli
   if (!sparse.empty()) {
     loaded.sparse = pipeline.Load(sequence, range, sparse, Streams::kNone, arguments.every);
   }
+  WarnOfLimitedColor({&loaded.truth, loaded.sparse ? &*loaded.sparse : nullptr});
   return loaded;
 }
 

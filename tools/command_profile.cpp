@@ -17,6 +17,7 @@
 #include "tools/profile/profile_report.h"
 #include "tools/progress.h"
 #include "tools/thread_limit.h"
+#include "tools/warning.h"
 
 namespace warplut {
 namespace {
@@ -103,6 +104,7 @@ class Content {
     const Streams truth = AvailableStreams(sequence) & kTruthStreams;
     clip.truth = LoadClip(sequence, range.first, range.count, truth);
     clip.has_reference = Contains(truth, Streams::kReference);
+    WarnOfLimitedColor({&clip.input, &clip.truth});
     return clip;
   }
 

@@ -13,6 +13,7 @@
 #include "tools/progress.h"
 #include "tools/shown_file.h"
 #include "tools/thread_limit.h"
+#include "tools/warning.h"
 
 namespace warplut {
 namespace {
@@ -70,6 +71,7 @@ ExitCode Run(const RunArguments& arguments) {
     truth = LoadTruth(sequence, range);
     judge.emplace(*truth, *method, kScoreBorder, arguments.settled);
   }
+  WarnOfLimitedColor({&clip, truth ? &*truth : nullptr});
 
   const std::filesystem::path folder = arguments.out;
   CreateFolder(folder);

@@ -1,10 +1,7 @@
 #include "tools/pipeline_options.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
-
 #include "tools/judge/protocol_filter.h"
+#include "tools/warning.h"
 
 namespace warplut {
 
@@ -45,8 +42,6 @@ CLI::Option* AddSettledOption(CLI::App& command, int* settled) {
                   "Print the means without the first so many judged frames, too")
       ->check(CLI::Range(1, 1 << 20));
 }
-
-void Warn(const std::string& sentence) { fmt::print(stderr, "warplut: warning: {}.\n", sentence); }
 
 Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path) {
   Sequence sequence = ReadSequence(path);

@@ -19,9 +19,6 @@ void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments);
 // Adds --settled and returns it.
 CLI::Option* AddSettledOption(CLI::App& command, int* settled);
 
-// Prints a sentence on standard error, as a warning.
-void Warn(const std::string& sentence);
-
 // The reader of a sequence for a command: the manifest, and a warning where the LUT was fitted for another scale.
 Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path);
 

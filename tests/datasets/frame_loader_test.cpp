@@ -101,6 +101,18 @@ TEST_F(LoadFrameTest, ColourIsFiniteAndInTheDisplayRangeUnlessLinear) {
   EXPECT_EQ(LoadColor().at(2, 1, 1), 150);
 }
 
+TEST_F(LoadFrameTest, LinearColourMayBeInfiniteButNoNaN) {
+  s_.color_space = ColorSpace::kLinear;
+  Image image = Filled(3, 0.5F);
+  image.at(2, 1, 1) = kInfinity;
+  image.at(3, 1, 2) = -kInfinity;
+  Color(image);
+  EXPECT_EQ(LoadColor().data, image.data);
+  image.at(2, 1, 0) = kNan;
+  Color(image);
+  ExpectError([&] { LoadColor(); }, {"c3.exr", "pixel (2, 1)", "channel R", "nan", "a number"});
+}
+
 TEST_F(LoadFrameTest, OneFileMayHoldSeveralStreams) {
   Image image(4, 2, 4);
   for (std::size_t i = 0; i < 8; ++i) {

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "datasets/file.h"
 #include "datasets/image_io.h"
+#include "runtime/color_encoding.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/program.h"
 #include "tests/train/replay/pan_sequence.h"
@@ -60,6 +62,37 @@ TEST_F(RunCommand, WritesSuperResolvedFrames) {
   const ImageInfo info = ReadImageInfo(Path("out/0015.png"));
   EXPECT_EQ(info.width, 80);
   EXPECT_EQ(info.bits, 8);
+}
+
+TEST_F(RunCommand, TellsOfInfiniteLinearColour) {
+  const Sequence sequence =
+      WritePan(folder_ / "bright", {.frames = 3, .color_space = ColorSpace::kLinear});
+  const auto rewrite = [&](float value) {
+    for (int index = 0; index < sequence.count; ++index) {
+      const auto file = FrameFiles(sequence, index, Streams::kColor).front();
+      Image image = ReadImage(file, {}, Values::kAll);
+      for (int c = 0; c < 3; ++c) image.at(5, 5, c) = value;
+      WriteImage(file, image, PixelType::kHalf);
+    }
+  };
+  std::vector<std::string> shown;
+  for (const float value : {std::numeric_limits<float>::infinity(), kLargestHdr}) {
+    rewrite(value);
+    const ProgramResult result =
+        RunWarplut(Arguments("sr", {"--sequence", Path("bright"), "--score"}));
+    ASSERT_EQ(result.code, 0) << result.err;
+    shown.push_back(ReadFile(folder_ / "out" / "0012.exr"));
+    if (value == kLargestHdr) {
+      EXPECT_TRUE(result.err.empty()) << result.err;
+    } else {
+      EXPECT_EQ(result.err,
+                "warplut: warning: 9 channels of the linear colour of 'pan' are infinite or beyond "
+                "65504; above they count as that, below as 0.\n");
+    }
+  }
+  EXPECT_EQ(shown[0], shown[1]);
+  rewrite(std::numeric_limits<float>::quiet_NaN());
+  ExpectRefused(RunWarplut(Arguments("sr", {"--sequence", Path("bright")})), kFailed, "nan");
 }
 
 TEST_F(RunCommand, NamesGeneratedFramesByTheirTime) {

@@ -27,6 +27,7 @@
 #include "tools/report/svg_plot.h"
 #include "tools/report/trainer_section.h"
 #include "tools/thread_limit.h"
+#include "tools/warning.h"
 
 namespace warplut {
 namespace {
@@ -104,6 +105,7 @@ ReportInputs LoadInputs(const ReportOptions& options) {
   for (const std::string& path : options.sequences) {
     StopIfInterrupted();
     AddSequence(path, options.quick, &inputs.clips, &inputs.larger_clips);
+    WarnOfLimitedColor({&inputs.clips.back().dense});
   }
   return inputs;
 }

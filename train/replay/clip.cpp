@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 #include "datasets/error.h"
@@ -54,6 +55,17 @@ PixelFormat ColorFormat(const Sequence& sequence, int first, int count, Streams 
     }
   }
   return PixelFormat::kRgba8;
+}
+
+// Limits what lies beyond kLargestHdr and counts it.
+std::int64_t LimitHdr(Image& linear) {
+  std::int64_t limited = 0;
+  for (float& value : linear.data) {
+    if (std::abs(value) <= kLargestHdr) continue;
+    value = LimitHdr(value);
+    ++limited;
+  }
+  return limited;
 }
 
 bool IsQuantised(MotionView motion) {
@@ -181,6 +193,7 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
   const int begin = std::max(0, first - every + 1);
   clip.frames.resize(static_cast<std::size_t>(count));
   std::vector<Frame> loaded(static_cast<std::size_t>(first + count - begin));
+  std::atomic<std::int64_t> limited_color = 0, limited_reference = 0;
   tbb::parallel_for(begin, first + count, [&](int index) {
     Frame& frame = loaded[static_cast<std::size_t>(index - begin)];
     frame = LoadFrame(sequence, index, index < first ? composed : which | composed);
@@ -189,12 +202,18 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
     ClipFrame& out = clip.frames[static_cast<std::size_t>(index - first)];
     out.number = frame.number;
     out.jitter = frame.jitter;
+    if (clip.encoding == ColorEncoding::kLinearHdr) {
+      limited_color += LimitHdr(frame.color);
+      limited_reference += LimitHdr(frame.reference);
+    }
     if (Contains(which, Streams::kColor)) out.color = ToBuffer(frame.color, color_format);
     if (Contains(which, Streams::kReference)) {
       out.reference = ToBuffer(frame.reference, reference_format);
     }
     frame.color = frame.reference = Image();
   });
+  clip.limited_color = limited_color;
+  clip.limited_reference = limited_reference;
 
   if (every > 1 && filtering != MotionFiltering::kOff) {
     for (const GridStreams& grid : {kRenderGrid, kOutputGrid}) {

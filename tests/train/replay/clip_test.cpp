@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
+#include "datasets/image_io.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/train/replay/pan_sequence.h"
@@ -116,6 +119,27 @@ TEST(Clip, IsFloatWhereTheSequenceIsLinear) {
   const Clip clip = LoadClip(sequence, 0, 1, Streams::kColor);
   EXPECT_EQ(clip.encoding, ColorEncoding::kLinearHdr);
   EXPECT_EQ(clip.frames[0].color.view().format, PixelFormat::kRgba32F);
+}
+
+TEST(Clip, LimitsLinearColourAsTheRuntimeDoesAndCounts) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const TemporaryFolder folder;
+  const Sequence sequence =
+      WritePan(folder / "pan", {.frames = 2, .color_space = ColorSpace::kLinear});
+  const float values[] = {kInfinity, -kInfinity, 1e9f, -1e9f, kLargestHdr, -0.5f};
+  const auto file = folder / "pan" / "lr" / "color" / "0010.exr";
+  Image image = ReadImage(file);
+  std::copy(std::begin(values), std::end(values), image.data.begin());
+  WriteImage(file, image, PixelType::kFloat);
+  const Clip clip = LoadClip(sequence, 0, 2, Streams::kColor | Streams::kReference);
+  EXPECT_EQ(clip.limited_color, 4);
+  EXPECT_EQ(clip.limited_reference, 0);
+  const Image limited = ToImage(clip.frames[0].color.view());
+  for (std::size_t i = 0; i < std::size(values); ++i) {
+    EXPECT_EQ(LimitHdr(limited.data[i]), LimitHdr(values[i])) << values[i];
+    EXPECT_LE(std::abs(limited.data[i]), kLargestHdr);
+  }
+  EXPECT_EQ(limited.data[5], -0.5f) << "within the range it is as it was";
 }
 
 TEST(Clip, ComposesMotionOverSeveralFrames) {

@@ -1,0 +1,30 @@
+#include "tools/warning.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+
+namespace warplut {
+
+void Warn(const std::string& sentence) { fmt::print(stderr, "warplut: warning: {}.\n", sentence); }
+
+void WarnOfLimitedColor(const std::vector<const Clip*>& clips) {
+  // The clips hold the same colour, as far as they hold it.
+  std::int64_t color = 0, reference = 0;
+  std::string name;
+  for (const Clip* clip : clips) {
+    if (clip == nullptr) continue;
+    color = std::max(color, clip->limited_color);
+    reference = std::max(reference, clip->limited_reference);
+    name = clip->name;
+  }
+  if (color + reference == 0) return;
+  Warn(fmt::format(
+      "{} channels of the linear colour of '{}' are infinite or beyond {}; above they count as "
+      "that, below as 0",
+      color + reference, name, kLargestHdr));
+}
+
+}  // namespace warplut

@@ -1,0 +1,18 @@
+// What a command tells on standard error and goes on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "train/replay/clip.h"
+
+namespace warplut {
+
+// Prints a sentence on standard error, as a warning.
+void Warn(const std::string& sentence);
+
+// One line where channels of linear colour were limited (Clip::limited_color): how many there are in the clips, all of the same
+// frames; nulls are skipped.
+void WarnOfLimitedColor(const std::vector<const Clip*>& clips);
+
+}  // namespace warplut
