@@ -31,6 +31,7 @@ function(warplut_runtime_library name)
   set(shared
     motion/camera_motion.cpp
     core/executor.cpp
+    core/float_environment.cpp
     core/image_check.cpp
     configuration/method.cpp
     motion/motion_filter.cpp

@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "runtime/float_environment.h"
+
 namespace warplut {
 
 // Every pass splits its work into pieces whose results do not depend on who runs them, or when: any executor gives the
@@ -18,11 +20,15 @@ class Executor {
   virtual int Threads() const = 0;
 
   // Calls piece(i) for i = 0 .. count - 1, in any order, on any threads, and returns when all have ended. `piece` must not
-  // throw and must not call ForEach.
+  // throw and must not call ForEach. It runs in a FloatEnvironment.
   template <class Piece>
   void ForEach(int count, const Piece& piece) {
     Run(
-        count, [](const void* context, int i) { (*static_cast<const Piece*>(context))(i); },
+        count,
+        [](const void* context, int i) {
+          const FloatEnvironment environment;
+          (*static_cast<const Piece*>(context))(i);
+        },
         &piece);
   }
 

@@ -10,6 +10,7 @@
 // no motion is a disocclusion and takes it from its surroundings), warp both frames and InterpolationShare (interpolation), or
 // warp frame 1 (extrapolation). docs/GENERATION.md has formulas, buffers, limits and measured quality.
 //
+// Subnormals are flushed to zero, in colour, depth and motion (runtime/float_environment.h); a source that is shown as it is keeps its bits.
 // Any executor gives the same bits. The generating functions allocate nothing. Buffers take 16 bytes per pixel (without splatting none),
 // with kLinearHdr and with a motion filter 16 more each, with a filter that has a prefilter 32 more, and 48 bytes for each pixel of 16 rows and each thread; a motion filter has its own besides.
 #pragma once

@@ -5,7 +5,7 @@
 // (moving objects) it is left as it is, to the bit. Per axis,
 //   limit = min(options.limit, kNoiseToLimit * median |input motion - camera's motion|),
 // so that the pass measures the noise itself: exact motion is as good as unchanged, and motion that no
-// camera explains is changed by options.limit at most.
+// camera explains is changed by options.limit at most. Subnormals count as zero (runtime/float_environment.h).
 #pragma once
 
 #include <string>

@@ -20,6 +20,8 @@
 // q is limited to [0, 1] before it is stored. In linear HDR all this is done in codes (runtime/color_encoding.h), and q is limited to the
 // brightest of the 4 x 4 samples around P, or to the code of kUnlimitedHdr if that is more.
 //
+// Subnormals are flushed to zero, in colour, depth and motion (runtime/float_environment.h).
+//
 // A sample (i, j) of the render grid lies at output position ((i + 1/2 + jitter_x) s_x, (j + 1/2 + jitter_y) s_y).
 #pragma once
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/configuration/chosen.h"
+#include "runtime/float_environment.h"
 #include "runtime/generation/band_buffers.h"
 #include "runtime/generation/color_repair.h"
 #include "runtime/generation/frame_check.h"
@@ -283,6 +284,7 @@ inline void FrameGeneration::State::Show(const ImageView& color, const MutableIm
 }
 
 FrameGeneration::FrameGeneration(const FrameGenerationOptions& options, Executor& executor) {
+  const FloatEnvironment environment;
   if constexpr (kContainsGeneration) state_ = std::make_unique<State>(options, executor);
 }
 
@@ -290,6 +292,7 @@ FrameGeneration::~FrameGeneration() = default;
 
 void FrameGeneration::Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
                                   float alpha, const MutableImageView& out) {
+  const FloatEnvironment environment;
   if constexpr (kPipeline.interpolation) {
     if (frame1.cut) {
       state_->Show(alpha < 0.5f ? frame0.color : frame1.color, out);
@@ -301,6 +304,7 @@ void FrameGeneration::Interpolate(const DisplayedFrame& frame0, const DisplayedF
 
 void FrameGeneration::Extrapolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
                                   float alpha, const MutableImageView& out) {
+  const FloatEnvironment environment;
   if constexpr (kPipeline.extrapolation) {
     if (frame1.cut) {
       state_->Show(frame1.color, out);

@@ -42,7 +42,7 @@ HWY_INLINE Floats CleanDepths(Floats depth) {
   const FloatTag d;
   const auto farthest = hn::Set(d, kFarthestDepth);
   const auto valid = hn::And(hn::Ge(depth, hn::Zero(d)), hn::Le(depth, farthest));
-  return hn::IfThenElse(valid, hn::Abs(depth), farthest);
+  return hn::IfThenElse(valid, hn::Add(depth, hn::Zero(d)), farthest);
 }
 
 // NearestPixel of kLanes pixels of row y from x on; `inside` tells where it is one, the others are 0.

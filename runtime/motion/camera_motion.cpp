@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "runtime/float_environment.h"
 #include "runtime/gates.h"
 
 namespace warplut {
@@ -172,6 +173,7 @@ void CameraFit::MeasureNoise(CameraMotion& camera) {
 }
 
 CameraMotion CameraFit::Fit(const ImageView& depth, const MotionView& motion) {
+  const FloatEnvironment environment;
   CameraMotion camera;
   Gather(depth, motion);
   if (samples_.size() < kLeastSamples) return camera;

@@ -14,6 +14,7 @@
 
 #include "runtime/core/band.h"
 #include "runtime/core/warp_simd-inl.h"
+#include "runtime/float_environment.h"
 #include "runtime/gates.h"
 #include "runtime/motion/motion_filter_pass.h"
 
@@ -100,6 +101,7 @@ MotionFilter::MotionFilter(int width, int height, const MotionFilterOptions& opt
 
 void MotionFilter::Apply(const ImageView& depth, const MotionView& motion, Executor& executor,
                          const MutableMotionView& out) {
+  const FloatEnvironment environment;
   const CameraMotion camera = fit_.Fit(depth, motion);
   const int height = motion.height;
   MotionFilterPass pass = {.depth = depth, .motion = motion, .out = out};
@@ -117,6 +119,7 @@ void MotionFilter::Apply(const ImageView& depth, const MotionView& motion, Execu
 
 void MotionFilter::Reference(const ImageView& depth, const MotionView& motion,
                              const MotionFilterOptions& options, const MutableMotionView& out) {
+  const FloatEnvironment environment;
   const CameraMotion camera = CameraFit(motion.width, motion.height).Fit(depth, motion);
   const float limit_x = Limit(options, camera.noise_x);
   const float limit_y = Limit(options, camera.noise_y);

@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "runtime/float_environment.h"
 #include "runtime/motion/motion_split.h"
 #include "runtime/warp/warp_kernels.h"
 
 namespace warplut {
 
 TileMotion ClassifyTile(const MotionView& motion, const TileRect& tile) {
+  const FloatEnvironment environment;
   const float mx = motion.Row(tile.y0)[2 * tile.x0];
   const float my = motion.Row(tile.y0)[2 * tile.x0 + 1];
   if (!IsUniform(motion, tile)) return {};

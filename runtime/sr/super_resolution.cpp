@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/configuration/chosen.h"
+#include "runtime/float_environment.h"
 #include "runtime/motion_filter.h"
 #include "runtime/prefilter.h"
 #include "runtime/sr/frame_check.h"
@@ -199,6 +200,7 @@ inline void SuperResolution::State::Process(const RenderedFrame& frame,
 }
 
 SuperResolution::SuperResolution(const SuperResolutionOptions& options, Executor& executor) {
+  const FloatEnvironment environment;
   if constexpr (kPipeline.super_resolution) state_ = std::make_unique<State>(options, executor);
 }
 
@@ -210,10 +212,12 @@ bool SuperResolution::IsProcessable(const RenderedFrame& frame, const MutableIma
 }
 
 void SuperResolution::Process(const RenderedFrame& frame, const MutableImageView& out) {
+  const FloatEnvironment environment;
   if constexpr (kPipeline.super_resolution) state_->Process(frame, out);
 }
 
 OutputGeometry SuperResolution::Geometry() {
+  const FloatEnvironment environment;
   State& s = *state_;
   if (s.geometry_motion.bytes() == 0) {
     s.geometry_depth =

@@ -6,6 +6,7 @@
 
 #include "runtime/core/band.h"
 #include "runtime/core/pixel.h"
+#include "runtime/float_environment.h"
 #include "runtime/warp/prefilter_kernels.h"
 
 namespace warplut {
@@ -42,6 +43,7 @@ double SumMirrored(const std::vector<double>& taps, int i, int size, const At& a
 }  // namespace
 
 int PrefilterReach(const Prefilter& prefilter) {
+  const FloatEnvironment environment;
   if (prefilter.kind == PrefilterKind::kFir) return prefilter.reach;
   const double pole = std::abs(PoleOf(prefilter));
   // A recursion has values of up to `gain` times its largest input, so that it starts wrong by
@@ -101,6 +103,7 @@ void PrefilterReferencePixels(const Prefilter& prefilter, const ImageView& sampl
 
 void PrefilterPass::Reference(const Prefilter& prefilter, const ImageView& samples,
                               const MutableImageView& coefficients) {
+  const FloatEnvironment environment;
   PrefilterReferencePixels(prefilter, samples, {0, 0, samples.width, samples.height}, coefficients);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "runtime/float_environment.h"
 #include "runtime/motion/motion_split.h"
 #include "runtime/warp/warp_kernels.h"
 
@@ -65,6 +66,7 @@ void WarpRun(const WarpJob& job, const Run& run) {
 // Warps the tile rows [first, last); `motion_of(column, row)` classifies a tile.
 template <class MotionOf>
 WarpStats WarpTileRows(const WarpJob& job, int first, int last, const MotionOf& motion_of) {
+  const FloatEnvironment environment;
   WarpStats stats;
   const int columns = TileCount(job.out.width, kTileWidth);
   for (int row = first; row < last; ++row) {
@@ -174,6 +176,7 @@ bool IsWarpable(const PrefilteredImage& history, const MotionView& motion,
 }
 
 Prefilter PrefilterOf(const WarpOptions& options) {
+  const FloatEnvironment environment;
   switch (FilterOf(options)) {
     case Filter::kLut:
       return options.table->prefilter();

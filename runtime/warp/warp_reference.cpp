@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "runtime/core/pixel.h"
+#include "runtime/float_environment.h"
 #include "runtime/motion/motion_split.h"
 #include "runtime/warp.h"
 #include "runtime/warp/tap_polynomials.h"
@@ -72,15 +73,18 @@ void WarpReferencePixels(const WarpJob& job, const TileRect& pixels) {
 
 void WarpReference(const ImageView& history, const MotionView& motion, const WarpOptions& options,
                    const MutableImageView& out) {
+  const FloatEnvironment environment;
   WarpReferencePixels({history, motion, options, out}, {0, 0, out.width, out.height});
 }
 
 void WarpReference(const PrefilteredImage& history, const MotionView& motion,
                    const WarpOptions& options, const MutableImageView& out) {
+  const FloatEnvironment environment;
   WarpReferencePixels({history, motion, options, out}, {0, 0, out.width, out.height});
 }
 
 Weights<float> FilterWeights(const WarpOptions& options, float dx, float dy) {
+  const FloatEnvironment environment;
   const Filter filter = FilterOf(options);
   if (filter == Filter::kLut) return options.table->At(dx, dy, LookupOf(options));
   const float parameter = ParameterOf(options);

@@ -28,6 +28,9 @@ constexpr double kNearestTarget = 4;
 constexpr double kBilinearTarget = 2.5;
 constexpr double kUniformTarget = 8;
 constexpr double kStaticTarget = 0.9;
+// What subnormal texels cost: at most 1.1 of what ordinary ones do.
+constexpr double kSubnormalTarget = 1 / 1.1;
+constexpr float kSubnormal = 1e-40f;
 // The prefilter takes at most 0.6 of a warp with bilinear lookup, for RGBA16F and RGBA32F.
 constexpr double kPrefilterTarget = 1 / 0.6;
 
@@ -262,6 +265,40 @@ class FormatBenchmark {
         {{"warp, " + warped.name, warp, HasPrefilterTarget(format) ? kPrefilterTarget : 0}}, rows);
   }
 
+  // Subnormal texels against ordinary ones, in a float format.
+  void SubnormalAgainstOrdinary(const std::string& kind, const Motion& motion,
+                                const std::vector<Variant>& variants,
+                                std::vector<WarpBenchmarkRow>& rows) {
+    const int width = history_.view.width, height = history_.view.height;
+    const PixelFormat format = history_.view.format;
+    Image subnormal(width, height, format);
+    for (int y = 0; y < height; ++y) {
+      for (int i = 0; i < width * Channels(format); ++i) {
+        const float texel = LoadChannel(format, history_.view.At(0, y), i);
+        StoreChannel(format, kSubnormal * texel, subnormal.view.At(0, y), i);
+      }
+    }
+    for (const Variant& variant : variants) {
+      const Prefilter prefilter = PrefilterOf(variant.options);
+      const auto race = [&](const std::function<void(const Image&)>& call, const ImageView& result) {
+        Measure({kind, variant.name + " 1e-40"}, [&] { call(subnormal); },
+                {result, reference_.Const()},
+                {{"ordinary texels", [&] { call(history_); }, kSubnormalTarget}}, rows);
+      };
+      if (HasPrefilter(prefilter)) {
+        PrefilterPass pass = Pass(prefilter);
+        PrefilterPass::Reference(prefilter, subnormal.Const(), reference_.view);
+        race([&](const Image& image) { pass.Apply(image.Const(), executor_, coefficients_); },
+             coefficients_);
+      } else {
+        WarpReference(subnormal.Const(), motion.view, variant.options, reference_.view);
+        race([&](const Image& image) {
+          Warp(image.Const(), motion.view, variant.options, out_.view);
+        }, out_.Const());
+      }
+    }
+  }
+
   // Motion of whole pixels, against memcpy; with the motion classified by the call, which has to read it, and before.
   void AgainstCopy(const std::string& kind, const Motion& motion,
                    std::vector<WarpBenchmarkRow>& rows) {
@@ -391,6 +428,9 @@ WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
       for (const Variant& variant : variants) {
         if (kind != "smooth" || !HasPrefilter(PrefilterOf(variant.options))) continue;
         images.PrefilterAgainstWarp(kind, motion, variant, bilinear, benchmark.rows);
+      }
+      if (format == PixelFormat::kRgba32F) {
+        images.SubnormalAgainstOrdinary(kind, motion, variants, benchmark.rows);
       }
     }
     for (const std::string kind : {"whole", "static"}) {
