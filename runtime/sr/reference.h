@@ -1,6 +1,8 @@
 // The plain version of every pass: one pixel after the other, from the formulas.
 #pragma once
 
+#include <cmath>
+
 #include "runtime/sr/passes.h"
 
 namespace warplut {
@@ -37,6 +39,33 @@ constexpr float ResidualSlack(PixelFormat history) {
       break;
   }
   return 0.0f;
+}
+
+// A step of the history that its rounding would undo never ends. Where the history is farther than SettledDistance from where it should go
+// and has a share in going there, it goes by LeastStep at least: three quarters of a unit, which rounds to one, so that it ends within that
+// distance and then rests. The distance is that of one displayed code, but no less than a unit of the history.
+constexpr float LeastStep(PixelFormat history) {
+  switch (history) {
+    case PixelFormat::kRgba8:
+      return 0.75f / 255;
+    case PixelFormat::kRgba16F:
+      return 0.75f * 0x1p-11f;
+    case PixelFormat::kRgba32F:
+    case PixelFormat::kR32F:
+      break;
+  }
+  return 0.0f;  // the least share of a distance of one code is more than a unit
+}
+constexpr float SettledDistance(PixelFormat history, ColorEncoding encoding) {
+  return (history == PixelFormat::kRgba8 ? 1.0f : CodeContrast(encoding)) / 255;
+}
+
+// `share` of `distance`, lengthened to LeastStep where the distance is more than `settled`.
+inline float HistoryStep(float share, float distance, float settled, float least) {
+  const float step = share * distance;
+  const bool is_lengthened =
+      share > 0 && std::abs(distance) > settled && std::abs(step) < least;
+  return is_lengthened ? std::copysign(least, distance) : step;
 }
 
 // Whether the samples (i, j) to (i + 1, j + 1) belong to different surfaces, or one has no motion.

@@ -67,9 +67,13 @@ Rgb UpdateFromSamples(const SrJob& job, int x, int y, const Rgb& predicted, floa
   if (!(sums.weight > 0)) return predicted;
   const float share = validity * BlendShare(job.options.parameters.blend_a,
                                             sums.weight / static_cast<float>(sums.count));
+  const float settled = SettledDistance(job.next.format, EncodingOf(job.options));
+  const float least = LeastStep(job.next.format);
   Rgb q;
-  for (int c = 0; c < 3; ++c)
-    q.c[c] = predicted.c[c] + share * (sums.color.c[c] / sums.weight - predicted.c[c]);
+  for (int c = 0; c < 3; ++c) {
+    const float distance = sums.color.c[c] / sums.weight - predicted.c[c];
+    q.c[c] = predicted.c[c] + HistoryStep(share, distance, settled, least);
+  }
   return q;
 }
 
@@ -80,10 +84,14 @@ Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, flo
       validity * (1 - smoothing) *
       BlendShare(parameters.blend_a, SampleWeight(parameters.blend_b, Distance(job, x, y, 0, 0)));
   const float current_share = validity * smoothing * kSmoothShare;
+  const float settled = SettledDistance(job.next.format, EncodingOf(job.options)) -
+                        ResidualSlack(job.next.format);
+  const float least = LeastStep(job.next.format);
   Rgb q;
   for (int c = 0; c < 3; ++c) {
     const float current = BilinearAt(job, job.planes.color[c], x, y);
-    q.c[c] = predicted.c[c] + share * BilinearAt(job, job.residual[c], x, y) +
+    const float residual = BilinearAt(job, job.residual[c], x, y);
+    q.c[c] = predicted.c[c] + HistoryStep(share, residual, settled, least) +
              current_share * (current - predicted.c[c]);
   }
   return q;

@@ -110,9 +110,33 @@ HWY_INLINE void FillLimitRow(const Plane& color, int j, float* limit) {
   }
 }
 
+// HistoryStep for kLanes pixels.
+class HistorySteps {
+ public:
+  // `slack` is off the distances already.
+  HWY_INLINE HistorySteps(const SrJob& job, float slack)
+      : settled_(SettledDistance(HistoryFormatOf(job.options), EncodingOf(job.options)) - slack),
+        least_(LeastStep(HistoryFormatOf(job.options))) {}
+
+  // from + step.
+  HWY_INLINE Floats Add(Floats share, Floats distance, Floats from) const {
+    const FloatTag d;
+    const auto to = hn::MulAdd(share, distance, from);
+    if (!(least_ > 0)) return to;
+    const auto least = hn::Set(d, least_);
+    const auto is_far = hn::And(hn::Gt(share, hn::Zero(d)),
+                                hn::Gt(hn::Abs(distance), hn::Set(d, settled_)));
+    const auto lengthened = hn::And(is_far, hn::Lt(hn::Abs(hn::Mul(share, distance)), least));
+    return hn::IfThenElse(lengthened, hn::Add(from, hn::CopySign(least, distance)), to);
+  }
+
+ private:
+  float settled_, least_;
+};
+
 // UpdateFromResidual for kLanes pixels, whose alpha is the validity; `smooths` says whether there is a row of smoothing.
-HWY_INLINE void AddResidual(const SrJob& job, int x, int y, const Plane& rows, bool smooths,
-                            Pixels& p) {
+HWY_INLINE void AddResidual(const SrJob& job, const HistorySteps& steps, int x, int y,
+                            const Plane& rows, bool smooths, Pixels& p) {
   const FloatTag d;
   const Parameters& parameters = job.options.parameters;
   const auto distance = DistanceOf(hn::LoadU(d, job.x.offset() + x), hn::Set(d, job.y.offset()[y]));
@@ -131,13 +155,14 @@ HWY_INLINE void AddResidual(const SrJob& job, int x, int y, const Plane& rows, b
     }
   }
   if (hn::AllTrue(d, hn::Le(share, hn::Zero(d)))) return;
-  p.r = hn::MulAdd(share, cell.Mixed(rows.Row(kResidualRow), t), p.r);
-  p.g = hn::MulAdd(share, cell.Mixed(rows.Row(kResidualRow + 1), t), p.g);
-  p.b = hn::MulAdd(share, cell.Mixed(rows.Row(kResidualRow + 2), t), p.b);
+  p.r = steps.Add(share, cell.Mixed(rows.Row(kResidualRow), t), p.r);
+  p.g = steps.Add(share, cell.Mixed(rows.Row(kResidualRow + 1), t), p.g);
+  p.b = steps.Add(share, cell.Mixed(rows.Row(kResidualRow + 2), t), p.b);
 }
 
 // UpdateFromSamples for kLanes pixels, whose alpha is the validity.
-HWY_INLINE void BlendSamples(const SrJob& job, int x, int y, Pixels& p) {
+HWY_INLINE void BlendSamples(const SrJob& job, const HistorySteps& steps, int x, int y,
+                             Pixels& p) {
   const FloatTag d;
   const IntTag di;
   const Parameters& parameters = job.options.parameters;
@@ -171,9 +196,9 @@ HWY_INLINE void BlendSamples(const SrJob& job, int x, int y, Pixels& p) {
   const auto mean = hn::IfThenElseZero(seen, hn::Div(sum.a, hn::Max(count, one)));
   const auto share = hn::Mul(p.a, BlendShares(parameters.blend_a, mean));
   const auto inverse = hn::Div(one, hn::IfThenElse(seen, sum.a, one));
-  p.r = Mix(p.r, hn::Mul(sum.r, inverse), share);
-  p.g = Mix(p.g, hn::Mul(sum.g, inverse), share);
-  p.b = Mix(p.b, hn::Mul(sum.b, inverse), share);
+  p.r = steps.Add(share, hn::Sub(hn::Mul(sum.r, inverse), p.r), p.r);
+  p.g = steps.Add(share, hn::Sub(hn::Mul(sum.g, inverse), p.g), p.g);
+  p.b = steps.Add(share, hn::Sub(hn::Mul(sum.b, inverse), p.b), p.b);
 }
 
 inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
@@ -186,6 +211,7 @@ inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
   const bool samples = KeepsHistory(options) && !residual;
   Plane& rows = scratch.render_rows;
   const bool limits = EncodingOf(options) == ColorEncoding::kLinearHdr && KeepsHistory(options);
+  const HistorySteps steps(job, residual ? ResidualSlack(next.format) : 0.0f);
   int smoothing_row = -1, limit_row = -1;  // of samples
   bool smooths = false;
   for (int y = begin; y < end; ++y) {
@@ -209,8 +235,8 @@ inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
     for (int x = 0; x < job.x.output(); x += kLanes) {
       const int left = job.x.output() - x;
       Pixels p = LoadPixels(next, x, y, left);
-      if (residual) AddResidual(job, x, y, rows, smooths, p);
-      if (samples) BlendSamples(job, x, y, p);
+      if (residual) AddResidual(job, steps, x, y, rows, smooths, p);
+      if (samples) BlendSamples(job, steps, x, y, p);
       if (limits) {
         const Columns cell(job.x.cell(), x);
         p.r = hn::Min(p.r, cell.At(rows.Row(kLimitRow)));

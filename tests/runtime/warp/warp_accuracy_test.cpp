@@ -1,6 +1,7 @@
 // The fast warp against the reference, on every instruction set.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -26,7 +27,7 @@ int CountDifferent(const TestImage& fast, const TestImage& reference, float larg
     for (int x = 0; x < fast.width(); ++x) {
       for (int c = 0; c < Channels(fast.format()); ++c) {
         const float expected = reference.Get(x, y, c);
-        float bound = largest * kWarpFloatBound;
+        float bound = std::max(largest, kWarpFloor) * kWarpFloatBound;
         if (fast.format() == PixelFormat::kRgba8) bound = kWarpRgba8Bound;
         if (fast.format() == PixelFormat::kRgba16F)
           bound += 0x1p-10f * std::max(std::abs(expected), 0x1p-14f);
@@ -185,6 +186,32 @@ TEST_P(WarpAccuracy, MotionThatIsNotFiniteOrFarOrTiny) {
       read.WarpTo(motion.view(), options, fast);
       CountDifferent(fast, reference, read.Largest());
     });
+  }
+}
+
+// Products and sums that are flushed to zero.
+TEST_P(WarpAccuracy, TexelsAboutTheLeastNormalNumber) {
+  if (GetParam() != PixelFormat::kRgba32F && GetParam() != PixelFormat::kR32F) return;
+  TestImage history(97, 21, GetParam());
+  for (const float scale : {0x1p-100f, 0x1p-120f, 0x1p-126f, 0x1p-135f}) {
+    history.Randomise(3);
+    for (int y = 0; y < 21; ++y) {
+      for (int i = 0; i < 97 * Channels(GetParam()); ++i) {
+        history.Set(0, y, i, scale * history.Get(0, y, i));
+      }
+    }
+    TestMotion motion(97, 21);
+    motion.Randomise(4, 3);
+    for (const WarpOptions& options : kBothKinds) {
+      const TestHistory read(history, options);
+      TestImage reference(97, 21, GetParam());
+      read.ReferenceTo(motion.view(), options, reference);
+      ForEachTarget([&] {
+        TestImage fast(97, 21, GetParam());
+        read.WarpTo(motion.view(), options, fast);
+        CountDifferent(fast, reference, read.Largest());
+      });
+    }
   }
 }
 
