@@ -37,6 +37,7 @@ function(warplut_runtime_library name)
     motion/motion_filter.cpp
     motion/motion_tiles.cpp
     configuration/parameters.cpp
+    configuration/pipeline.cpp
     warp/prefilter.cpp
     warp/prefilter_kernels.cpp
     warp/warp.cpp
@@ -53,6 +54,8 @@ function(warplut_runtime_library name)
     target_compile_definitions(${name} PUBLIC
       "WARPLUT_PIPELINE_HEADER=\"$<BUILD_INTERFACE:${header}>$<INSTALL_INTERFACE:PIPELINE.h>\"")
   endif()
+  # Other libraries see what the installed headers declare (luts/visibility.h).
+  set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   if(NOT MSVC)
     target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
     # The plain and the fast version of a pass give the same bits: no compiler may fuse multiply and add in one of them.

@@ -24,8 +24,9 @@
 #include <cstdint>
 
 #include "luts/prefilter.h"
+#include "luts/visibility.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 inline constexpr int kNodes = 32;                                       // nodes per axis
 inline constexpr int kTaps = 4;                                         // taps per axis

@@ -4,7 +4,9 @@
 #include <bit>
 #include <cstdint>
 
-namespace warplut {
+#include "luts/visibility.h"
+
+namespace warplut WARPLUT_PUBLIC {
 
 // Exact for every half, subnormals, infinities and NaNs (whose payload is kept) included.
 constexpr float HalfToFloat(std::uint16_t half) {

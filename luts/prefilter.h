@@ -25,7 +25,9 @@
 #include <cmath>
 #include <cstdint>
 
-namespace warplut {
+#include "luts/visibility.h"
+
+namespace warplut WARPLUT_PUBLIC {
 
 enum class PrefilterKind : std::uint8_t { kNone, kRecursive, kFir };
 

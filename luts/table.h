@@ -8,8 +8,9 @@
 
 #include "luts/contract.h"
 #include "luts/half.h"
+#include "luts/visibility.h"
 
-namespace warplut {
+namespace WARPLUT_PUBLIC warplut {
 
 // How an offset becomes weights: the nearest node, or the bilinear mean of the four nodes around it.
 enum class Lookup : std::uint8_t { kNearest, kBilinear };

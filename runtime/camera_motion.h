@@ -12,9 +12,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "luts/visibility.h"
 #include "runtime/image_view.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // The inverse of a depth: 0 where depth is NaN, negative or infinite, and at most 1 / kLeastDepth.
 inline constexpr float kLeastDepth = 1e-6f;

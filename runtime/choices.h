@@ -3,7 +3,9 @@
 
 #include <cstdint>
 
-namespace warplut {
+#include "luts/visibility.h"
+
+namespace warplut WARPLUT_PUBLIC {
 
 // How new samples enter the history (runtime/super_resolution.h).
 enum class HistoryForm : std::uint8_t { kSample, kResidual, kAdaptive };

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
-namespace warplut {
+#include "luts/visibility.h"
+
+namespace warplut WARPLUT_PUBLIC {
 
 // kDisplay: what the display gets, in [0, 1]. kLinearHdr: scene-linear, >= 0, unbounded; histories, warps and blends then work on
 // the HdrCode of each channel.

@@ -6,9 +6,10 @@
 #include <thread>
 #include <vector>
 
+#include "luts/visibility.h"
 #include "runtime/float_environment.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // Every pass splits its work into pieces whose results do not depend on who runs them, or when: any executor gives the
 // same bits.

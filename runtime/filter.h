@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace warplut {
+#include "luts/visibility.h"
+
+namespace warplut WARPLUT_PUBLIC {
 
 enum class Filter : std::uint8_t { kBilinear, kCatmullRom, kKeys, kLut, kSpline };
 

@@ -15,7 +15,9 @@
 
 #include <cstdint>
 
-namespace warplut {
+#include "luts/visibility.h"
+
+namespace warplut WARPLUT_PUBLIC {
 
 // Sets the environment of this thread for its own lifetime. They nest.
 class FloatEnvironment {

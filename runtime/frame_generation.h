@@ -20,6 +20,7 @@
 #include <memory>
 #include <string>
 
+#include "luts/visibility.h"
 #include "runtime/choices.h"
 #include "runtime/color_encoding.h"
 #include "runtime/executor.h"
@@ -31,7 +32,7 @@
 #include "runtime/pipeline.h"
 #include "runtime/warp.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // One displayed frame; all views on one grid. Formats, units and the treatment of NaN and infinity as for RenderedFrame; a pixel
 // whose motion is not finite counts as one that was not there in the frame before: it goes nowhere.

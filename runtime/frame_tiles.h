@@ -3,9 +3,10 @@
 
 #include <cstdint>
 
+#include "luts/visibility.h"
 #include "runtime/warp.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 struct FrameTiles {
   std::int64_t total = 0;  // tiles of the frame (runtime/motion_tiles.h)

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace warplut {
+#include "luts/visibility.h"
+
+namespace warplut WARPLUT_PUBLIC {
 
 // 1 where x <= threshold, 0 beyond; with width w > 0 a ramp from 1 at threshold (1 - w) to 0 at threshold (1 + w).
 // A NaN x is beyond. threshold >= 0, w in [0, 1].

@@ -6,9 +6,10 @@
 #include <memory>
 #include <new>
 
+#include "luts/visibility.h"
 #include "runtime/image_view.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // Alignment of the first pixel of every row, in bytes; rows end in padding up to it.
 inline constexpr std::size_t kRowAlignment = 64;

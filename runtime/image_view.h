@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace warplut {
+#include "luts/visibility.h"
+
+namespace warplut WARPLUT_PUBLIC {
 
 // Interleaved channels, row 0 at the top. 8-bit codes stand for value / 255; halves are IEEE binary16.
 enum class PixelFormat : std::uint8_t { kRgba8, kRgba16F, kRgba32F, kR32F };

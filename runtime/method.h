@@ -5,11 +5,12 @@
 #include <span>
 #include <string_view>
 
+#include "luts/visibility.h"
 #include "runtime/frame_generation.h"
 #include "runtime/parameters.h"
 #include "runtime/super_resolution.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // What a method makes of rendered frames. Generated frames lie between two rendered ones (interpolation) or after the later one
 // (extrapolation), on the grid of their sources.

@@ -10,11 +10,12 @@
 
 #include <string>
 
+#include "luts/visibility.h"
 #include "runtime/camera_motion.h"
 #include "runtime/executor.h"
 #include "runtime/image_view.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // Safeguards above the bound by the noise, which decides wherever it is less: for super resolution, and for frames that others are
 // generated between, which move farther (2 did better than 1 there: docs/GENERATION.md).

@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "luts/visibility.h"
 #include "runtime/image_view.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 inline constexpr int kTileWidth = 64;
 inline constexpr int kTileHeight = 16;

@@ -5,7 +5,9 @@
 #include <array>
 #include <string>
 
-namespace warplut {
+#include "luts/visibility.h"
+
+namespace warplut WARPLUT_PUBLIC {
 
 struct Parameters {
   float sr_depth_threshold = 0.05f;         // T_D of super resolution

@@ -1,8 +1,11 @@
 // kPipeline, the configuration that this build is compiled with: WARPLUT_PIPELINE_HEADER names the header that defines it. All code that
-// includes the runtime is compiled with the same one.
+// includes the runtime is compiled with the same one; what is not does not link.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+
+#include "luts/visibility.h"
 
 #ifdef WARPLUT_PIPELINE_HEADER
 #include WARPLUT_PIPELINE_HEADER
@@ -10,7 +13,23 @@
 #include "runtime/full_pipeline.h"
 #endif
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
+
+// The library defines this for the configuration that it is compiled with, and every file that includes its headers refers to that of its
+// own: a program that is compiled with another PIPELINE.h than the library does not link.
+template <std::uint64_t kDigest>
+struct LibraryWithPipeline {
+  static const char kIsLinked;
+};
+inline constexpr std::uint64_t kPipelineDigest = PipelineDigest(kPipeline).value();
+extern template struct LibraryWithPipeline<kPipelineDigest>;
+#if defined(__GNUC__)
+#if __has_attribute(retain)
+[[gnu::retain]]
+#endif
+[[gnu::used]]
+#endif
+static const char* const kLinkedLibrary = &LibraryWithPipeline<kPipelineDigest>::kIsLinked;
 
 // Whether the build contains this value of a choice.
 template <class T>

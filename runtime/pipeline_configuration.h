@@ -18,16 +18,18 @@
 // with it, and their IsValid refuses another. The images are those of the full runtime with the same options, to the bit.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "luts/table.h"
+#include "luts/visibility.h"
 #include "runtime/choices.h"
 #include "runtime/color_encoding.h"
 #include "runtime/filter.h"
 #include "runtime/gates.h"
 #include "runtime/image_view.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // Choices of SuperResolutionOptions, by the same names, and formats of the frames.
 struct SuperResolutionConfiguration {
@@ -70,6 +72,45 @@ struct PipelineConfiguration {
 
   SuperResolutionConfiguration sr = {};
   FrameGenerationConfiguration generation = {};
+};
+
+// A number that tells configurations apart: FNV-1a over all members, in their order.
+class PipelineDigest {
+ public:
+  constexpr explicit PipelineDigest(const PipelineConfiguration& whole) {
+    const auto& [super_resolution, interpolation, extrapolation, reference, filter, lookup, sr,
+                 generation] = whole;
+    Add(super_resolution, interpolation, extrapolation, reference, filter, lookup);
+    AddMembers(sr);
+    AddMembers(generation);
+  }
+
+  constexpr std::uint64_t value() const { return value_; }
+
+ private:
+  constexpr void AddMembers(const SuperResolutionConfiguration& sr) {
+    const auto& [form, history, clamp, depth, motion, motion_filter, current, history_format,
+                 color_format, output_format, encoding] = sr;
+    Add(form, history, clamp, depth, motion, motion_filter, current, history_format, color_format,
+        output_format, encoding);
+  }
+  constexpr void AddMembers(const FrameGenerationConfiguration& generation) {
+    const auto& [motion_model, splat, refine, fill, depth, brightness_gate, motion_filter,
+                 color_format, output_format, encoding] = generation;
+    Add(motion_model, splat, refine, fill, depth, brightness_gate, motion_filter, color_format,
+        output_format, encoding);
+  }
+  template <class... T>
+  constexpr void Add(const T&... members) {
+    ((value_ = (value_ ^ Number(members)) * 0x100000001B3u), ...);
+  }
+  static constexpr std::uint64_t Number(bool is_contained) { return is_contained ? 1 : 0; }
+  template <class T>
+  static constexpr std::uint64_t Number(const std::optional<T>& choice) {
+    return choice.has_value() ? 1 + static_cast<std::uint64_t>(*choice) : 0;
+  }
+
+  std::uint64_t value_ = 0xCBF29CE484222325u;
 };
 
 }  // namespace warplut

@@ -16,11 +16,12 @@
 #include <vector>
 
 #include "luts/prefilter.h"
+#include "luts/visibility.h"
 #include "runtime/executor.h"
 #include "runtime/image_buffer.h"
 #include "runtime/image_view.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // Pixels of a tile of the fast pass. Each tile is filtered alone, with PrefilterReach more pixels
 // on each side.

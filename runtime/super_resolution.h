@@ -30,6 +30,7 @@
 #include <memory>
 #include <string>
 
+#include "luts/visibility.h"
 #include "runtime/choices.h"
 #include "runtime/color_encoding.h"
 #include "runtime/executor.h"
@@ -40,7 +41,7 @@
 #include "runtime/pipeline.h"
 #include "runtime/warp.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // One rendered frame; all views on the render grid. Colour: RGBA8, RGBA16F or RGBA32F (alpha is ignored). Depth: R32F, view
 // depth in units of the far plane, >= 0; NaN, negative and infinite values count as kFarthestDepth. Motion: pixels of the

@@ -21,12 +21,13 @@
 
 #include "luts/filters.h"
 #include "luts/table.h"
+#include "luts/visibility.h"
 #include "runtime/filter.h"
 #include "runtime/image_view.h"
 #include "runtime/motion_tiles.h"
 #include "runtime/pipeline.h"
 
-namespace warplut {
+namespace warplut WARPLUT_PUBLIC {
 
 // The largest difference of Warp from WarpReference.
 // RGBA8: code values; exactly 0 for tables other than f32, without prefilter, with nearest lookup:

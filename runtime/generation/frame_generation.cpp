@@ -32,7 +32,7 @@ RowKernels KernelsOf(const FrameGenerationOptions& options) {
 
 }  // namespace
 
-struct FrameGeneration::State {
+struct WARPLUT_HIDDEN FrameGeneration::State {
   using Source = FrameCoefficients::Source;
 
   State(const FrameGenerationOptions& frame_options, Executor& threads);

@@ -36,7 +36,7 @@ std::size_t SrScratch::bytes() const {
          disoccluded.size();
 }
 
-struct SuperResolution::State {
+struct WARPLUT_HIDDEN SuperResolution::State {
   State(const SuperResolutionOptions& chosen, Executor& runner);
 
   SrJob Job() const;
