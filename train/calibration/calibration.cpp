@@ -236,6 +236,13 @@ class Calibration {
       const KeptPoint kept =
           KeepNearBase(log_, space_, sources, {options_.base, result_.default_loss}, result_.best,
                        std::max(result_.best.loss, LeastStart()));
+      // The way there may pass by a better point than the one that the search stopped at.
+      if (kept.at.loss < result_.best.loss) {
+        Replace(kept.at);
+        for (CalibratedParameter& parameter : result_.parameters) {
+          parameter.optimum = kept.at.parameters.*kParameters[parameter.parameter].member;
+        }
+      }
       result_.kept = kept.at;
       result_.kept_error = kept.standard_error;
       for (std::size_t i = 0; i < kept.at_base.size(); ++i) {
