@@ -10,6 +10,7 @@
 #include "tools/scene_rendering.h"
 #include "tools/sequence_inspection.h"
 #include "tools/table_text.h"
+#include "tools/warning.h"
 
 namespace warplut {
 namespace {
@@ -128,7 +129,12 @@ ExitCode RunInspect(const std::string& path, bool json) {
     Print(ToText(sequence, streams));
   }
   std::size_t problems = 0;
-  for (const StreamInspection& stream : streams) problems += stream.problems.size();
+  std::int64_t infinite = 0;
+  for (const StreamInspection& stream : streams) {
+    problems += stream.problems.size();
+    if (stream.name == "color" || stream.name == "reference") infinite += stream.infinite;
+  }
+  if (infinite > 0) WarnOfInfiniteColor(infinite, sequence.name);
   if (problems > 0) {
     throw Error(fmt::format("{} has {} missing or damaged frames of streams.", path, problems));
   }

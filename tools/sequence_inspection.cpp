@@ -14,7 +14,7 @@ struct Range {
   double least = std::numeric_limits<double>::infinity();
   double greatest = -std::numeric_limits<double>::infinity();
   double sum = 0;
-  std::int64_t count = 0;
+  std::int64_t count = 0, infinite = 0;
 
   void Add(double value) {
     least = std::min(least, value);
@@ -53,7 +53,11 @@ void AddImage(const Image& image, Range& range) {
     return;
   }
   for (const float value : image.data) {
-    if (std::isfinite(value)) range.Add(value);
+    if (std::isfinite(value)) {
+      range.Add(value);
+    } else {
+      ++range.infinite;
+    }
   }
 }
 
@@ -77,6 +81,7 @@ std::vector<StreamInspection> InspectSequence(const Sequence& sequence,
       }
       on_load();
     }
+    inspection.infinite = range.infinite;
     if (range.count > 0) {
       inspection.least = range.least;
       inspection.greatest = range.greatest;

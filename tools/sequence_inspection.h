@@ -1,6 +1,7 @@
 // What a sequence holds, and which of its files are missing or damaged.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct StreamInspection {
   double least = 0;
   double greatest = 0;
   double mean = 0;
+  std::int64_t infinite = 0;  // values that are, which do not count in these: background, or linear colour
   std::vector<std::string> problems;  // one sentence for each frame that could not be loaded
 };
 

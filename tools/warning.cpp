@@ -10,6 +10,13 @@ namespace warplut {
 
 void Warn(const std::string& sentence) { fmt::print(stderr, "warplut: warning: {}.\n", sentence); }
 
+void WarnOfInfiniteColor(std::int64_t channels, const std::string& sequence) {
+  Warn(fmt::format(
+      "{} channels of the linear colour of '{}' are infinite or beyond {}; above they count as "
+      "that, below as 0",
+      channels, sequence, kLargestHdr));
+}
+
 void WarnOfLimitedColor(const std::vector<const Clip*>& clips) {
   // The clips hold the same colour, as far as they hold it.
   std::int64_t color = 0, reference = 0;
@@ -20,11 +27,7 @@ void WarnOfLimitedColor(const std::vector<const Clip*>& clips) {
     reference = std::max(reference, clip->limited_reference);
     name = clip->name;
   }
-  if (color + reference == 0) return;
-  Warn(fmt::format(
-      "{} channels of the linear colour of '{}' are infinite or beyond {}; above they count as "
-      "that, below as 0",
-      color + reference, name, kLargestHdr));
+  if (color + reference > 0) WarnOfInfiniteColor(color + reference, name);
 }
 
 }  // namespace warplut
