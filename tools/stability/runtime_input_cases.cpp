@@ -362,8 +362,11 @@ StabilityResult DepthReversed(StabilityEffort) {
                              columns(b[i], object_end, kWideOutput.width))});
     }
   }
-  // A tile that the object touches goes to the kernel for general motion, which sums in another order than that for
-  // uniform motion; what lies between two halves may round to either.
+  // The depth decides which tiles have uniform motion, and so which kernel warps them. Both sum the
+  // same 16 products, the one for uniform motion column by column, that for general motion in 4, 2
+  // or 1 partial sums (vectors of 16, 8 or 4 floats). The sums differ by a few 2^-24 with every
+  // instruction set that has vectors, and one half in some thousands rounds to its neighbour. Which
+  // ones do depends on the order, so that some sets may show none of them on this content.
   constexpr double kHalfUnit = 0x1p-11;  // in [1/2, 1)
   result.passed = result.passed && worst <= kHalfUnit && worst_by_regions <= kHalfCode;
   result.observed +=
