@@ -9,7 +9,7 @@
 #include "luts/visibility.h"
 #include "runtime/float_environment.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // Every pass splits its work into pieces whose results do not depend on who runs them, or when: any executor gives the
 // same bits.
@@ -24,18 +24,19 @@ class Executor {
   // throw and must not call ForEach. It runs in a FloatEnvironment.
   template <class Piece>
   void ForEach(int count, const Piece& piece) {
-    Run(
-        count,
-        [](const void* context, int i) {
-          const FloatEnvironment environment;
-          (*static_cast<const Piece*>(context))(i);
-        },
-        &piece);
+    Run(count, RunPiece<Piece>, &piece);
   }
 
  protected:
   using Call = void (*)(const void* context, int piece);
   virtual void Run(int count, Call call, const void* context) = 0;
+
+ private:
+  template <class Piece>
+  static void RunPiece(const void* context, int i) {
+    const FloatEnvironment environment;
+    (*static_cast<const Piece*>(context))(i);
+  }
 };
 
 // On the calling thread, in order.

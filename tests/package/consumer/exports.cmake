@@ -1,4 +1,5 @@
-# Whether LIBRARY, the whole runtime as a shared library, shows others what the headers under ROOT declare, and nothing else.
+# Whether LIBRARY, the whole runtime as a shared library, shows others what the headers under ROOT
+# declare, and nothing else.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${NM} -D -C --defined-only ${LIBRARY} OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB headers ${ROOT}/runtime/*.h ${ROOT}/luts/*.h)
@@ -25,7 +26,7 @@ foreach(line ${lines})
 endforeach()
 foreach(name CameraFit FilterWeights FindMethod FloatEnvironment FrameGeneration FrameGenerationOptions IsWarpable
              LibraryWithPipeline MotionFilter MotionTiles Parameters PrefilterPass SuperResolution SuperResolutionOptions
-             Table ThreadPool Warp WarpReference WarpRows)
+             ThreadPool Warp WarpReference WarpRows)
   if(NOT name IN_LIST shown)
     message(FATAL_ERROR "The library hides ${name}.")
   endif()
