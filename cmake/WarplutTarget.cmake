@@ -45,16 +45,24 @@ if(WARPLUT_WARNINGS_AS_ERRORS)
   target_compile_options(warplut_warnings INTERFACE -Werror)
 endif()
 
+# Promises about NaN and equal bits need a compiler that keeps to IEEE 754, whatever the project
+# around says.
+add_library(warplut_strict_math INTERFACE)
+if(NOT MSVC)
+  target_compile_options(warplut_strict_math INTERFACE -fno-fast-math -fno-finite-math-only -fno-unsafe-math-optimizations)
+endif()
+
 # warplut_library(NAME SOURCES...): a static library with the shared options.
 function(warplut_library name)
   add_library(${name} STATIC ${ARGN})
-  target_link_libraries(${name} PUBLIC warplut_options PRIVATE $<BUILD_INTERFACE:warplut_warnings>)
+  target_link_libraries(${name} PUBLIC warplut_options PRIVATE $<BUILD_INTERFACE:warplut_warnings>
+                                $<BUILD_INTERFACE:warplut_strict_math>)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
 # warplut_executable(NAME SOURCES...): a program with the shared options.
 function(warplut_executable name)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE warplut_options warplut_warnings)
+  target_link_libraries(${name} PRIVATE warplut_options warplut_warnings warplut_strict_math)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
 endfunction()

@@ -95,10 +95,9 @@ void CheckValues(const fs::path& path, const Image& image, const std::vector<int
   const auto i = static_cast<std::size_t>(bad - image.data.begin());
   const std::size_t n = channels.size(), pixel = i / n,
                     width = static_cast<std::size_t>(image.width);
-  FailRead(path,
-           fmt::format("pixel ({}, {}), channel {}, is {}; expected a {}", pixel % width,
-                       pixel / width, spec.channel_name(channels[i % n]), *bad,
-                       finite ? "finite number" : "number"));
+  FailRead(path, fmt::format("pixel ({}, {}), channel {}, is {}; expected a {}", pixel % width,
+                             pixel / width, spec.channel_name(channels[i % n]), *bad,
+                             finite ? "finite number" : "number"));
 }
 
 OIIO::TypeDesc OiioType(PixelType type) {

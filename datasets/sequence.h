@@ -70,13 +70,14 @@ std::string SequenceJson(const Sequence& sequence);
 
 // Reads the streams `which` of the frame at `index` (0 to count - 1), converted to the convention of datasets/frame.h
 // as datasets/encoding.h describes; only their files are opened. Grey colour is copied to R, G and B; alpha is
-// dropped. Number, cut, jitter and camera are always set. Frame 0 is a cut only where the manifest says so;
-// what runs over frames takes it as one (train/clip.h).
+// dropped. Number, cut, jitter and camera are always set. Frame 0 is a cut only where the manifest
+// says so; what runs over frames takes it as one (train/replay/clip.h).
 //
 // Error, naming the file or the stream and the sequence: index out of range, a stream that the
 // manifest lacks, a missing or damaged file, a file of another size or with other channels, a NaN, an
-// infinite value (but in depth, where +infinity is background, and in linear colour, which is left as it is: LoadClip
-// limits it), a negative depth, and a colour outside [0, 1] unless the sequence is linear. Threads may load frames of one sequence at the same time.
+// infinite value (but in depth, where +infinity is background, and in linear colour, which is left
+// as it is: LoadClip limits it), a negative depth, and a colour outside [0, 1] unless the sequence
+// is linear. Threads may load frames of one sequence at the same time.
 Frame LoadFrame(const Sequence& sequence, int index, Streams which);
 
 }  // namespace warplut

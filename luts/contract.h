@@ -26,7 +26,7 @@
 #include "luts/prefilter.h"
 #include "luts/visibility.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 inline constexpr int kNodes = 32;                                       // nodes per axis
 inline constexpr int kTaps = 4;                                         // taps per axis

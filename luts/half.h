@@ -6,7 +6,7 @@
 
 #include "luts/visibility.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // Exact for every half, subnormals, infinities and NaNs (whose payload is kept) included.
 constexpr float HalfToFloat(std::uint16_t half) {

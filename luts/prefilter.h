@@ -27,7 +27,7 @@
 
 #include "luts/visibility.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 enum class PrefilterKind : std::uint8_t { kNone, kRecursive, kFir };
 

@@ -15,7 +15,7 @@
 #include "luts/visibility.h"
 #include "runtime/image_view.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // The inverse of a depth: 0 where depth is NaN, negative or infinite, and at most 1 / kLeastDepth.
 inline constexpr float kLeastDepth = 1e-6f;

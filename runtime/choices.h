@@ -5,7 +5,7 @@
 
 #include "luts/visibility.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // How new samples enter the history (runtime/super_resolution.h).
 enum class HistoryForm : std::uint8_t { kSample, kResidual, kAdaptive };

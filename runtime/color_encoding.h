@@ -7,8 +7,9 @@
 #include <cstdint>
 
 #include "luts/visibility.h"
+#include "runtime/float_bits.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // kDisplay: what the display gets, in [0, 1]. kLinearHdr: scene-linear, >= 0, unbounded; histories, warps and blends then work on
 // the HdrCode of each channel.
@@ -20,7 +21,7 @@ constexpr const char* Name(ColorEncoding encoding) {
 
 // Linear channels count up to here, the largest half; what is above, infinity too, as this, what is negative and NaN as 0.
 inline constexpr float kLargestHdr = 65504.0f;
-inline float LimitHdr(float x) { return x > 0.0f ? std::min(x, kLargestHdr) : 0.0f; }
+inline float LimitHdr(float x) { return x > 0.0f && !IsNan(x) ? std::min(x, kLargestHdr) : 0.0f; }
 
 // The code of x in [0, kLargestHdr], in [0, 1]: log2(1 + kHdrGain x) / kHdrOctaves, but within each octave, from 2^k to
 // 2^(k+1), the logarithm is k + f (4 - f) / 3 with 1 + f the mantissa. That has a continuous slope, is within 0.01 of the

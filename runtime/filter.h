@@ -7,7 +7,7 @@
 
 #include "luts/visibility.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 enum class Filter : std::uint8_t { kBilinear, kCatmullRom, kKeys, kLut, kSpline };
 

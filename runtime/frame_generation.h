@@ -10,7 +10,8 @@
 // no motion is a disocclusion and takes it from its surroundings), warp both frames and InterpolationShare (interpolation), or
 // warp frame 1 (extrapolation). docs/GENERATION.md has formulas, buffers, limits and measured quality.
 //
-// Subnormals are flushed to zero, in colour, depth and motion (runtime/float_environment.h); a source that is shown as it is keeps its bits.
+// Subnormals are flushed to zero, in colour, depth and motion (runtime/float_environment.h); a
+// source that is shown as it is keeps its bits.
 // Any executor gives the same bits. The generating functions allocate nothing. Buffers take 16 bytes per pixel (without splatting none),
 // with kLinearHdr and with a motion filter 16 more each, with a filter that has a prefilter 32 more, and 48 bytes for each pixel of 16 rows and each thread; a motion filter has its own besides.
 #pragma once
@@ -32,7 +33,7 @@
 #include "runtime/pipeline.h"
 #include "runtime/warp.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // One displayed frame; all views on one grid. Formats, units and the treatment of NaN and infinity as for RenderedFrame; a pixel
 // whose motion is not finite counts as one that was not there in the frame before: it goes nowhere.
@@ -40,9 +41,10 @@ struct DisplayedFrame {
   ImageView color;
   ImageView depth;
   MotionView motion;
-  // Shares nothing with the frame before, or there is none: the first frame of all, one after a camera cut or after
-  // SuperResolution::Reset (OutputGeometry::cut tells). Its motion leads nowhere: as frame 0 it makes the motion uniform. What engines
-  // write there, often 0, would count as an acceleration.
+  // Shares nothing with the frame before, or there is none: the first frame of all, one after a
+  // camera cut or after SuperResolution::Reset (OutputGeometry::cut tells). Its motion leads
+  // nowhere: as frame 0 it makes the motion uniform. What engines write there, often 0, would count
+  // as an acceleration.
   bool cut = false;
   // Not 0: tells the frame from all others that this object is given. A filter with prefilter then turns its colour into
   // coefficients once, however many frames are generated from it. 0: at every call.

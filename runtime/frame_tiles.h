@@ -6,7 +6,7 @@
 #include "luts/visibility.h"
 #include "runtime/warp.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 struct FrameTiles {
   std::int64_t total = 0;  // tiles of the frame (runtime/motion_tiles.h)

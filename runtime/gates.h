@@ -8,13 +8,15 @@
 #include <cstdint>
 
 #include "luts/visibility.h"
+#include "runtime/float_bits.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // 1 where x <= threshold, 0 beyond; with width w > 0 a ramp from 1 at threshold (1 - w) to 0 at threshold (1 + w).
 // A NaN x is beyond. threshold >= 0, w in [0, 1].
 template <class T>
 T Gate(T x, T threshold, T width) {
+  if (IsNan(x)) return T(0);
   const T half = threshold * width;
   if (!(half > T(0))) return x <= threshold ? T(1) : T(0);
   const T share = (threshold + half - x) / (half + half);

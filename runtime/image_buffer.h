@@ -9,7 +9,7 @@
 #include "luts/visibility.h"
 #include "runtime/image_view.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // Alignment of the first pixel of every row, in bytes; rows end in padding up to it.
 inline constexpr std::size_t kRowAlignment = 64;

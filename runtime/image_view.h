@@ -7,7 +7,7 @@
 
 #include "luts/visibility.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // Interleaved channels, row 0 at the top. 8-bit codes stand for value / 255; halves are IEEE binary16.
 enum class PixelFormat : std::uint8_t { kRgba8, kRgba16F, kRgba32F, kR32F };

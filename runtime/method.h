@@ -10,7 +10,7 @@
 #include "runtime/parameters.h"
 #include "runtime/super_resolution.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // What a method makes of rendered frames. Generated frames lie between two rendered ones (interpolation) or after the later one
 // (extrapolation), on the grid of their sources.

@@ -5,7 +5,8 @@
 // (moving objects) it is left as it is, to the bit. Per axis,
 //   limit = min(options.limit, kNoiseToLimit * median |input motion - camera's motion|),
 // so that the pass measures the noise itself: exact motion is as good as unchanged, and motion that no
-// camera explains is changed by options.limit at most. Subnormals count as zero (runtime/float_environment.h).
+// camera explains is changed by options.limit at most. Subnormals count as zero
+// (runtime/float_environment.h).
 #pragma once
 
 #include <string>
@@ -15,7 +16,7 @@
 #include "runtime/executor.h"
 #include "runtime/image_view.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // Safeguards above the bound by the noise, which decides wherever it is less: for super resolution, and for frames that others are
 // generated between, which move farther (2 did better than 1 there: docs/GENERATION.md).

@@ -8,7 +8,7 @@
 #include "luts/visibility.h"
 #include "runtime/image_view.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 inline constexpr int kTileWidth = 64;
 inline constexpr int kTileHeight = 16;

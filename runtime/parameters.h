@@ -7,7 +7,7 @@
 
 #include "luts/visibility.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 struct Parameters {
   float sr_depth_threshold = 0.05f;         // T_D of super resolution

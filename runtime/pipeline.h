@@ -13,10 +13,11 @@
 #include "runtime/full_pipeline.h"
 #endif
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
-// The library defines this for the configuration that it is compiled with, and every file that includes its headers refers to that of its
-// own: a program that is compiled with another PIPELINE.h than the library does not link.
+// The library defines this for the configuration that it is compiled with, and every file that
+// includes its headers refers to that of its own: a program that is compiled with another
+// PIPELINE.h than the library does not link.
 template <std::uint64_t kDigest>
 struct LibraryWithPipeline {
   static const char kIsLinked;

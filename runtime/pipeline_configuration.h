@@ -29,7 +29,7 @@
 #include "runtime/gates.h"
 #include "runtime/image_view.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // Choices of SuperResolutionOptions, by the same names, and formats of the frames.
 struct SuperResolutionConfiguration {

@@ -7,7 +7,8 @@
 // The image is continued beyond its edges by mirroring, and c is mirrored alike: a warp that clamps
 // texel coordinates by at most one reads the right coefficients.
 //
-// Subnormals are flushed to zero (runtime/float_environment.h). All coefficients are finite. A channel beyond kLargestPrefiltered, or not a number, counts as 0,
+// Subnormals are flushed to zero (runtime/float_environment.h). All coefficients are finite. A
+// channel beyond kLargestPrefiltered, or not a number, counts as 0,
 // here and only here: it does not spread, and a whole-pixel warp still copies it. Coefficients in
 // RGBA16F are limited to the largest half.
 #pragma once
@@ -21,7 +22,7 @@
 #include "runtime/image_buffer.h"
 #include "runtime/image_view.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // Pixels of a tile of the fast pass. Each tile is filtered alone, with PrefilterReach more pixels
 // on each side.

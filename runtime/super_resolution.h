@@ -41,7 +41,7 @@
 #include "runtime/pipeline.h"
 #include "runtime/warp.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // One rendered frame; all views on the render grid. Colour: RGBA8, RGBA16F or RGBA32F (alpha is ignored). Depth: R32F, view
 // depth in units of the far plane, >= 0; NaN, negative and infinite values count as kFarthestDepth. Motion: pixels of the
@@ -84,7 +84,8 @@ struct SuperResolutionOptions {
 struct OutputGeometry {
   ImageView depth;    // R32F, in [0, kFarthestDepth]
   MotionView motion;  // output pixels
-  // DisplayedFrame::cut: the frame was the first, a cut, or the first after Reset. Its motion leads to no frame that was shown.
+  // DisplayedFrame::cut: the frame was the first, a cut, or the first after Reset. Its motion leads
+  // to no frame that was shown.
   bool cut = false;
 };
 

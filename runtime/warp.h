@@ -7,7 +7,8 @@
 // position far outside gives the border texel. Where d = (0, 0) the texel is copied, bit for bit.
 //
 // RGBA8 rounds halves up and clamps to [0, 255]; RGBA16F is summed in float and rounded to nearest even.
-// Subnormal texels and sums are flushed to zero, but copied where d = (0, 0): runtime/float_environment.h.
+// Subnormal texels and sums are flushed to zero, but copied where d = (0, 0):
+// runtime/float_environment.h.
 // Motion, history and output have one size; history and output one format; the output overlaps neither input.
 //
 // A filter with prefilter (PrefilterOf) weighs coefficients (runtime/prefilter.h) in place of the
@@ -27,14 +28,14 @@
 #include "runtime/motion_tiles.h"
 #include "runtime/pipeline.h"
 
-namespace warplut WARPLUT_PUBLIC {
+namespace WARPLUT_PUBLIC warplut {
 
 // The largest difference of Warp from WarpReference.
 // RGBA8: code values; exactly 0 for tables other than f32, without prefilter, with nearest lookup:
 // every sum is exact in float.
 inline constexpr int kWarpRgba8Bound = 1;
-// Float formats: relative to the largest |texel|, or |coefficient|, of the window, or to kWarpFloor if that is more, as products may
-// be flushed (RGBA16F: plus one unit of the result's last place).
+// Float formats: relative to the largest |texel|, or |coefficient|, of the window, or to kWarpFloor
+// if that is more, as products may be flushed (RGBA16F: plus one unit of the result's last place).
 inline constexpr float kWarpFloatBound = 0x1p-20f;
 inline constexpr float kWarpFloor = 0x1p-102f;
 

@@ -2,6 +2,7 @@
 // answer is a constant, and the compiler leaves out what the others would need.
 #pragma once
 
+#include "runtime/core/strict_math.h"
 #include "runtime/frame_generation.h"
 #include "runtime/pipeline.h"
 #include "runtime/super_resolution.h"

@@ -4,8 +4,8 @@
 #include <xmmintrin.h>
 #endif
 
-// No computation may move across a change of the environment; compilers do not know that it matters. Callers see a call
-// of another file, whose memory may have changed.
+// No computation may move across a change of the environment; compilers do not know that it
+// matters. Callers see a call of another file, whose memory may have changed.
 namespace warplut {
 namespace {
 
@@ -21,8 +21,8 @@ bool IsSet(std::uint64_t value) { return (value & ~std::uint64_t{kFlags}) == kCo
 
 #elif defined(__aarch64__)
 
-// FPCR is the upper half, FPSR, of the flags, the lower one. No traps, to nearest, NaNs keep their bits; FZ (bit 24) flushes operands
-// and results but halves.
+// FPCR is the upper half, FPSR, of the flags, the lower one. No traps, to nearest, NaNs keep their
+// bits; FZ (bit 24) flushes operands and results but halves.
 constexpr std::uint64_t kControl = std::uint64_t{1u << 24} << 32;
 
 std::uint64_t Get() {

@@ -8,3 +8,5 @@
 #endif
 
 #include <hwy/targets.h>
+
+#include "runtime/core/strict_math.h"

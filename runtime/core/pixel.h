@@ -6,13 +6,16 @@
 #include <cstdint>
 
 #include "luts/half.h"
+#include "runtime/float_bits.h"
 #include "runtime/image_view.h"
 
 namespace warplut {
 
 // Nearest code value, halves up, limited to [0, 255]; NaN gives 0.
 inline std::uint8_t RoundToCode(float value) {
-  return value > 0 ? static_cast<std::uint8_t>(std::min(std::floor(value + 0.5f), 255.0f)) : 0;
+  return value > 0 && !IsNan(value)
+             ? static_cast<std::uint8_t>(std::min(std::floor(value + 0.5f), 255.0f))
+             : 0;
 }
 
 // What the codes or values of a format's channels are divided by to lie in [0, 1].

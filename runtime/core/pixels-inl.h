@@ -28,7 +28,8 @@ HWY_INLINE Floats HalfBits(Words half) {
   const FloatTag d;
   const WordTag dw;
   const auto magnitude = hn::ShiftLeft<13>(hn::And(half, hn::Set(dw, 0x7FFFu)));
-  // The bits of a subnormal half make a subnormal float: it is put below the bits of a normal one, 2^-14, and that taken off.
+  // The bits of a subnormal half make a subnormal float: it is put below the bits of a normal one,
+  // 2^-14, and that taken off.
   const auto least = hn::Set(d, 0x1p-14f);
   const auto normal = hn::BitCast(d, hn::Add(magnitude, hn::Set(dw, 112u << 23)));
   const auto small = hn::Sub(hn::BitCast(d, hn::Or(magnitude, hn::BitCast(dw, least))), least);

@@ -27,7 +27,7 @@ bool AnyUnusable(const T* channels, int count) {
   return any >> (8 * sizeof(any) - 1) != 0;
 }
 
-bool IsUnusable(float value) { return !(std::abs(value) <= std::numeric_limits<float>::max()); }
+bool IsUnusable(float value) { return !IsFinite(value); }
 
 template <class T>
 void Repair(const ImageView& color, const MotionView& motion, const WarpOptions& options, int y,

@@ -24,10 +24,7 @@ inline Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
 inline Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
 inline Vector operator*(float s, Vector v) { return {s * v.x, s * v.y}; }
 
-inline bool IsFinite(Vector v) {
-  constexpr float kLargest = std::numeric_limits<float>::max();
-  return std::abs(v.x) <= kLargest && std::abs(v.y) <= kLargest;
-}
+inline bool IsFinite(Vector v) { return warplut::IsFinite(v.x) && warplut::IsFinite(v.y); }
 
 // Depth as the passes compare it: NaN, negative and infinite values are kFarthestDepth, -0 is 0.
 inline float CleanDepth(float depth) {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "runtime/core/strict_math.h"
+#include "runtime/float_bits.h"
 #include "runtime/float_environment.h"
 #include "runtime/gates.h"
 
@@ -121,7 +123,7 @@ void CameraFit::Gather(const ImageView& depth, const MotionView& motion) {
     const float* z = depth.Row<float>(y);
     const float* m = motion.Row(y);
     for (int x = (step_ - 1) / 2; x < motion.width; x += step_) {
-      if (!std::isfinite(m[2 * x]) || !std::isfinite(m[2 * x + 1])) continue;
+      if (!IsFinite(m[2 * x]) || !IsFinite(m[2 * x + 1])) continue;
       const auto [u, v] = PositionOf(x, y, motion.width, motion.height);
       const double g = InverseDepth(z[x]);
       samples_.push_back({u, v, g, m[2 * x] * units, m[2 * x + 1] * units, 0});

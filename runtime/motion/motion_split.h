@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "runtime/float_bits.h"
 
 namespace warplut {
 
@@ -20,7 +21,7 @@ struct MotionSplit {
 // p - m has texel p + whole and the same offset everywhere, however large the coordinates. The offset is
 // exact unless -1 < -m < 0, where it is off by 2^-25 at most. A NaN or infinite component counts as zero.
 inline MotionSplit SplitMotion(float m) {
-  if (!(std::abs(m) <= std::numeric_limits<float>::max())) m = 0.0f;
+  if (!IsFinite(m)) m = 0.0f;
   float whole = std::floor(-m);
   float offset = -m - whole;
   if (offset >= 1.0f) {

@@ -1,7 +1,5 @@
 #include "runtime/motion_tiles.h"
 
-#include <cmath>
-
 #include "runtime/float_environment.h"
 #include "runtime/motion/motion_split.h"
 #include "runtime/warp/warp_kernels.h"
@@ -13,7 +11,7 @@ TileMotion ClassifyTile(const MotionView& motion, const TileRect& tile) {
   const float mx = motion.Row(tile.y0)[2 * tile.x0];
   const float my = motion.Row(tile.y0)[2 * tile.x0 + 1];
   if (!IsUniform(motion, tile)) return {};
-  if (!std::isfinite(mx) || !std::isfinite(my)) return {};
+  if (!IsFinite(mx) || !IsFinite(my)) return {};
   if (mx == 0 && my == 0) return {MotionKind::kStatic, 0, 0};
   const bool whole = SplitMotion(mx).offset == 0 && SplitMotion(my).offset == 0;
   return {whole ? MotionKind::kWhole : MotionKind::kUniform, mx, my};

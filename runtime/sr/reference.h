@@ -41,9 +41,10 @@ constexpr float ResidualSlack(PixelFormat history) {
   return 0.0f;
 }
 
-// A step of the history that its rounding would undo never ends. Where the history is farther than SettledDistance from where it should go
-// and has a share in going there, it goes by LeastStep at least: three quarters of a unit, which rounds to one, so that it ends within that
-// distance and then rests. The distance is that of one displayed code, but no less than a unit of the history.
+// A step of the history that its rounding would undo never ends. Where the history is farther than
+// SettledDistance from where it should go and has a share in going there, it goes by LeastStep at
+// least: three quarters of a unit, which rounds to one, so that it ends within that distance and
+// then rests. The distance is that of one displayed code, but no less than a unit of the history.
 constexpr float LeastStep(PixelFormat history) {
   switch (history) {
     case PixelFormat::kRgba8:
@@ -63,8 +64,7 @@ constexpr float SettledDistance(PixelFormat history, ColorEncoding encoding) {
 // `share` of `distance`, lengthened to LeastStep where the distance is more than `settled`.
 inline float HistoryStep(float share, float distance, float settled, float least) {
   const float step = share * distance;
-  const bool is_lengthened =
-      share > 0 && std::abs(distance) > settled && std::abs(step) < least;
+  const bool is_lengthened = share > 0 && std::abs(distance) > settled && std::abs(step) < least;
   return is_lengthened ? std::copysign(least, distance) : step;
 }
 

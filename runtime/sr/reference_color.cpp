@@ -84,8 +84,8 @@ Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, flo
       validity * (1 - smoothing) *
       BlendShare(parameters.blend_a, SampleWeight(parameters.blend_b, Distance(job, x, y, 0, 0)));
   const float current_share = validity * smoothing * kSmoothShare;
-  const float settled = SettledDistance(job.next.format, EncodingOf(job.options)) -
-                        ResidualSlack(job.next.format);
+  const float settled =
+      SettledDistance(job.next.format, EncodingOf(job.options)) - ResidualSlack(job.next.format);
   const float least = LeastStep(job.next.format);
   Rgb q;
   for (int c = 0; c < 3; ++c) {

@@ -32,19 +32,15 @@ inline float SanitizeDepth(float depth) {
 }
 
 // Whether both components are finite.
-inline bool IsFiniteMotion(float x, float y) {
-  constexpr float kLargest = std::numeric_limits<float>::max();
-  return std::abs(x) <= kLargest && std::abs(y) <= kLargest;
-}
+inline bool IsFiniteMotion(float x, float y) { return IsFinite(x) && IsFinite(y); }
 
 // (r, g, b) as blends and histories hold it.
 inline void EncodeColor(ColorEncoding encoding, float (&rgb)[3]) {
-  constexpr float kLargest = std::numeric_limits<float>::max();
   for (float& channel : rgb) {
     if (encoding == ColorEncoding::kLinearHdr) {
       channel = HdrCode(LimitHdr(channel));
     } else {
-      const float finite = std::abs(channel) <= kLargest ? channel : 0.0f;
+      const float finite = IsFinite(channel) ? channel : 0.0f;
       channel = std::clamp(finite, 0.0f, 1.0f);
     }
   }

@@ -124,8 +124,8 @@ class HistorySteps {
     const auto to = hn::MulAdd(share, distance, from);
     if (!(least_ > 0)) return to;
     const auto least = hn::Set(d, least_);
-    const auto is_far = hn::And(hn::Gt(share, hn::Zero(d)),
-                                hn::Gt(hn::Abs(distance), hn::Set(d, settled_)));
+    const auto is_far =
+        hn::And(hn::Gt(share, hn::Zero(d)), hn::Gt(hn::Abs(distance), hn::Set(d, settled_)));
     const auto lengthened = hn::And(is_far, hn::Lt(hn::Abs(hn::Mul(share, distance)), least));
     return hn::IfThenElse(lengthened, hn::Add(from, hn::CopySign(least, distance)), to);
   }
@@ -161,8 +161,7 @@ HWY_INLINE void AddResidual(const SrJob& job, const HistorySteps& steps, int x, 
 }
 
 // UpdateFromSamples for kLanes pixels, whose alpha is the validity.
-HWY_INLINE void BlendSamples(const SrJob& job, const HistorySteps& steps, int x, int y,
-                             Pixels& p) {
+HWY_INLINE void BlendSamples(const SrJob& job, const HistorySteps& steps, int x, int y, Pixels& p) {
   const FloatTag d;
   const IntTag di;
   const Parameters& parameters = job.options.parameters;

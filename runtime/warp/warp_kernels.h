@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "runtime/core/strict_math.h"
 #include "runtime/motion_tiles.h"
 #include "runtime/prefilter.h"
 #include "runtime/warp.h"

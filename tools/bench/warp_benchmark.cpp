@@ -280,10 +280,11 @@ class FormatBenchmark {
     }
     for (const Variant& variant : variants) {
       const Prefilter prefilter = PrefilterOf(variant.options);
-      const auto race = [&](const std::function<void(const Image&)>& call, const ImageView& result) {
-        Measure({kind, variant.name + " 1e-40"}, [&] { call(subnormal); },
-                {result, reference_.Const()},
-                {{"ordinary texels", [&] { call(history_); }, kSubnormalTarget}}, rows);
+      const auto race = [&](const std::function<void(const Image&)>& call,
+                            const ImageView& result) {
+        Measure(
+            {kind, variant.name + " 1e-40"}, [&] { call(subnormal); }, {result, reference_.Const()},
+            {{"ordinary texels", [&] { call(history_); }, kSubnormalTarget}}, rows);
       };
       if (HasPrefilter(prefilter)) {
         PrefilterPass pass = Pass(prefilter);
@@ -292,9 +293,11 @@ class FormatBenchmark {
              coefficients_);
       } else {
         WarpReference(subnormal.Const(), motion.view, variant.options, reference_.view);
-        race([&](const Image& image) {
-          Warp(image.Const(), motion.view, variant.options, out_.view);
-        }, out_.Const());
+        race(
+            [&](const Image& image) {
+              Warp(image.Const(), motion.view, variant.options, out_.view);
+            },
+            out_.Const());
       }
     }
   }

@@ -9,7 +9,8 @@
 
 namespace warplut {
 
-// (r, g, b) to display values, in place. kDisplay: as it is. kLinearHdr: limited (LimitHdr), tone-mapped by
+// (r, g, b) to display values, in place. kDisplay: as it is. kLinearHdr: limited (LimitHdr),
+// tone-mapped by
 // 1 / (1 + largest channel), then the sRGB curve; so 1 is shown as 0.735, and no exposure is chosen for the content.
 inline void ToDisplay(ColorEncoding encoding, float* rgb) {
   if (encoding == ColorEncoding::kDisplay) return;

@@ -32,7 +32,8 @@ struct Clip {
   GridSize render, output;
   ColorEncoding encoding = ColorEncoding::kDisplay;
   bool quantised_motion = false;  // what HasQuantisedMotion says, where it is asked
-  // Channels of linear colour that were above kLargestHdr or infinite, of `color` and of `reference`.
+  // Channels of linear colour that were above kLargestHdr or infinite, of `color` and of
+  // `reference`.
   std::int64_t limited_color = 0, limited_reference = 0;
   std::vector<ClipFrame> frames;
 };
@@ -43,11 +44,12 @@ enum class MotionFiltering { kOff, kQuantised, kOn };
 
 // Loads the streams `which` of frames [first, first + count) by index. The motion of every frame is that from the frame `every`
 // before it in the sequence: composed along the frames between, so that a clip can be taken from every `every`-th frame; frames
-// that cannot be composed, as a cut lies between, are cuts. The first frame of a sequence is one, whatever its motion: engines
-// write 0 there, or the motion since a frame that was never shown. Motion that is composed is filtered before, as `filtering` says
+// that cannot be composed, as a cut lies between, are cuts. The first frame of a sequence is one,
+// whatever its motion: engines write 0 there, or the motion since a frame that was never shown.
+// Motion that is composed is filtered before, as `filtering` says
 // (kQuantised: where that of some frame is quantised); motion of one frame, every = 1, is left to the passes, which are told
-// by quantised_motion: kQuantised asks for it of the motion that they see. Linear colour beyond kLargestHdr is what the runtime
-// takes it for (LimitHdr), and counted. Errors as LoadFrame.
+// by quantised_motion: kQuantised asks for it of the motion that they see. Linear colour beyond
+// kLargestHdr is what the runtime takes it for (LimitHdr), and counted. Errors as LoadFrame.
 Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1,
               MotionFiltering filtering = MotionFiltering::kOff);
 

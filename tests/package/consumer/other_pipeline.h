@@ -1,4 +1,5 @@
-// Not the configuration of the installed library, whatever that is: no build contains this combination alone.
+// Not the configuration of the installed library, whatever that is: no build contains this
+// combination alone.
 #include "runtime/pipeline_configuration.h"
 
 namespace warplut {

@@ -43,7 +43,8 @@ struct Control {
   }
   static constexpr unsigned kDefault = 0;
   // Flushed, halves too; to zero, up and down; NaNs made one.
-  static constexpr unsigned kOthers[] = {1u << 24 | 1u << 19, 3u << 22, 1u << 22, 2u << 22, 1u << 25};
+  static constexpr unsigned kOthers[] = {1u << 24 | 1u << 19, 3u << 22, 1u << 22, 2u << 22,
+                                         1u << 25};
 };
 #else
 struct Control {

@@ -16,7 +16,11 @@ namespace {
 const std::map<std::string, std::string> kPrograms = {{"full", PIPELINE_full},
                                                       {"sample", PIPELINE_sample},
                                                       {"interpolation", PIPELINE_interpolation},
-                                                      {"static", PIPELINE_static}};
+                                                      {"static", PIPELINE_static},
+#ifdef PIPELINE_fast_math
+                                                      {"fast-math", PIPELINE_fast_math}
+#endif
+};
 constexpr const char* kLean[] = {"sample", "interpolation", "static"};
 
 // Lines that a command prints.
@@ -73,6 +77,19 @@ TEST(Pipelines, LeanImagesAreThoseOfTheFullRuntimeWithThePassesSwitchedOff) {
       EXPECT_LE(result.bytes, full.at(part).bytes);
     }
   }
+}
+
+// The interpolation of the lean runtime, compiled in a project with -ffast-math.
+TEST(Pipelines, FastMathOfAProjectChangesNothing) {
+#ifndef PIPELINE_fast_math
+  GTEST_SKIP() << "the compiler has no -ffast-math";
+#else
+  const auto fast = ResultsOf("fast-math", "interpolation");
+  const auto strict = ResultsOf("interpolation", "interpolation");
+  ASSERT_EQ(fast.size(), 1u);
+  EXPECT_EQ(fast.at("interpolation").hash, strict.at("interpolation").hash);
+  EXPECT_NE(fast.at("interpolation").hash, "");
+#endif
 }
 
 TEST(Pipelines, LeanBuffersAreFewerThanThoseOfTheDefaults) {

@@ -1,4 +1,5 @@
-// A history ends where its samples say, whatever its format rounds to and however small the share of a sample.
+// A history ends where its samples say, whatever its format rounds to and however small the share
+// of a sample.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -19,11 +20,11 @@ struct Case {
 
   std::string Name() const {
     return std::string(warplut::Name(form)) + " " + warplut::Name(format) + " " +
-           warplut::Name(encoding) + " " + warplut::Name(clamp) + ", a = " + std::to_string(blend_a);
+           warplut::Name(encoding) + " " + warplut::Name(clamp) +
+           ", a = " + std::to_string(blend_a);
   }
   SuperResolutionOptions Options(int scale, bool reference) const {
-    SuperResolutionOptions options =
-        TestOptions(kWidth, kHeight, scale * kWidth, scale * kHeight);
+    SuperResolutionOptions options = TestOptions(kWidth, kHeight, scale * kWidth, scale * kHeight);
     options.form = form;
     options.history_format = format;
     options.encoding = encoding;
@@ -36,7 +37,8 @@ struct Case {
 
 // Frames after which a history that rounds nothing is within a code, and some more.
 int FramesToSettle(const Case& c, int codes) {
-  // In the sample form the mean weight is that of the sample on the pixel's centre and of four of weight 0.
+  // In the sample form the mean weight is that of the sample on the pixel's centre and of four of
+  // weight 0.
   const float share = std::min(1.0f, c.blend_a * (c.form == HistoryForm::kSample ? 0.2f : 1.0f));
   return static_cast<int>(std::log(static_cast<float>(std::abs(codes)) + 1) / share) + 12;
 }
