@@ -1,4 +1,4 @@
-// What a build of the runtime contains. `warplut profile` writes one of these for a content as PIPELINE.h; docs/PIPELINE.md tells how to
+// What a build of the runtime contains. `warplut profile` writes one of these for a content as PIPELINE.h; docs/CONFIGURE.md tells how to
 // compile with it.
 //
 // A header of one's own defines warplut::kPipeline and nothing else:

@@ -7,7 +7,7 @@
 //      the range of the 4 x 4 depths around P - m one frame ago (absolute measure: nor before it);
 //   3. q^w limited to the colour box at P, bilinear among those of the samples around it (each of its 3 x 3 samples); where history is partly valid (gate_width > 0) or
 //      not at all the rest is the current frame alone, interpolated at P with its jitter;
-//   4. the new samples enter, in one of three forms (docs/PIPELINE.md):
+//   4. the new samples enter, in one of three forms (docs/SUPER_RESOLUTION.md):
 //      kSample    q = share * mean(w s) / mean(w) + (1 - share) q^w, share = BlendShare(a, mean w) over the samples within one
 //                 render pixel: equation 2 of the paper in the form that keeps constants;
 //      kResidual  q = q^w + share * (bilinearly interpolated differences of the samples from what the warped history predicts

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Measures the pipeline and leaves the tables of docs/RESULTS.md for tools/measure/update_tables.sh.
-# usage: tools/measure/measure_pipeline.sh [--data DIR] OUT
+# Measures the pipeline and leaves the tables of docs/results/{pipeline,speed}.md for tools/update_tables.sh.
+# usage: tools/measure_pipeline.sh [--data DIR] OUT
 #   --data DIR   recorded sequences: each is judged with parameters that were calibrated on the others
 #                (default: $WARPLUT_DATA; without it only built-in scenes are measured)
 #   OUT          sequences, parameters and pictures; the tables go to OUT/tables
@@ -87,6 +87,39 @@ hdr() {
   mv "$table.part" "$table"
 }
 
+# mean_sr FILTER OPTION...: 'PSNR | SSIM' of super resolution, the mean over the sequences of the options.
+mean_sr() {
+  filter=$1
+  shift
+  case "$filter" in
+    warplut*) set -- --lut "luts/baked/$filter.json" "$@" ;;
+    *) set -- --filter "$filter" "$@" ;;
+  esac
+  "$warplut" eval --modes sr --markdown "$@" \
+    | awk -F ' *[|] *' '/^[|] mean/ { mean = 1 } mean && $2 == "sr" { print $3 " | " $4 }'
+}
+
+# filters TABLE: the same pipeline with different filters of the history, on scenes that nothing was fitted on and on recordings.
+filters() {
+  table=$out/tables/$1.md
+  for scene in gallery harbour colonnade; do
+    render_missing "$scene" "$out/scenes-filters" --width 480 --height 270 --frames 12
+  done
+  {
+    printf '| filter of the history | scenes, PSNR dB | scenes, SSIM |'
+    if [ -n "$data" ]; then printf ' recorded, PSNR dB | recorded, SSIM |'; fi
+    printf '\n|---|---:|---:|'
+    if [ -n "$data" ]; then printf -- '---:|---:|'; fi
+    echo
+    for filter in bilinear catmull-rom keys:-0.65 warplut_sr_x2 warplut_iir_x2; do
+      printf '| %s | %s |' "$filter" "$(mean_sr "$filter" --sequence "$out/scenes-filters"/*)"
+      if [ -n "$data" ]; then printf ' %s |' "$(mean_sr "$filter" --sequence "$data"/*/)"; fi
+      echo
+    done
+  } > "$table.part"
+  mv "$table.part" "$table"
+}
+
 # bench TABLE SUBCOMMAND
 bench() {
   code=0
@@ -99,6 +132,7 @@ bench() {
 }
 
 scales pipeline-scales
+filters pipeline-filters
 hdr pipeline-hdr
 if [ -n "$data" ]; then
   leave_one_out pipeline-rendered
