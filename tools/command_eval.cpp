@@ -161,11 +161,13 @@ ExitCode RunImageEval(const EvalArguments& arguments) {
 
   if (arguments.sequence.json) {
     PrintJson(ToJson(report));
-  } else if (arguments.sequence.markdown) {
-    Print(ToMarkdown(ScoreTable(report)));
   } else {
-    Print(fmt::format("{} on {} images, {} lookup\n", report.name, report.images, report.lookup) +
-          ToText(ScoreTable(report)));
+    if (arguments.sequence.markdown) {
+      Print(ToMarkdown(ScoreTable(report)));
+    } else {
+      Print(fmt::format("{} on {} images, {} lookup\n", report.name, report.images, report.lookup) +
+            ToText(ScoreTable(report)));
+    }
     for (const std::string& sentence : report.missed) Print("missed: " + sentence + "\n");
   }
   return report.missed.empty() ? ExitCode::kDone : ExitCode::kMissed;
