@@ -85,14 +85,15 @@ ExitCode RunBake(const BakeArguments& arguments) {
 void AddBakeCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<BakeArguments>();
   CLI::App* command = app.add_subcommand(
-      "bake", "Make NAME.h, NAME.json, NAME.exr and NAME.png of a fit, with its certificate");
-  command->add_option("fit", arguments->fit, "The fit (JSON)")->required();
-  command->add_option("--out", arguments->out, "The folder to write to")->required();
-  command->add_option("--format", arguments->format, "How weights are stored")
+      "bake", "Write a fit as NAME.h, NAME.json, NAME.exr and NAME.png, with its certificate");
+  command->add_option("fit", arguments->fit, "Fit to bake (JSON)")->required();
+  command->add_option("--out", arguments->out, "Folder for the files")->required();
+  command->add_option("--format", arguments->format, "Storage format of the weights")
       ->check(CLI::IsMember(TableFormatNames()))
       ->capture_default_str();
   command
-      ->add_option("--blend", arguments->blend, "Share of the current frame in the certified loop")
+      ->add_option("--blend", arguments->blend,
+                   "Share of the current frame in the loop that the certificate judges")
       ->capture_default_str();
   AddJsonOption(*command, &arguments->json);
   command->callback([arguments, run] { *run = [arguments] { return RunBake(*arguments); }; });

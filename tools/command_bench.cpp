@@ -1,4 +1,4 @@
-// warplut bench: what a warp costs here.
+// warplut bench: run times on this machine.
 #include <algorithm>
 #include <memory>
 
@@ -146,7 +146,7 @@ void AddBenchGeneration(CLI::App& bench, CommandRun* run) {
   CLI::App* command = bench.add_subcommand(
       "generation",
       "Time frame generation against one warp, on one thread; each result is checked first");
-  command->add_option("--repeats", options->repeats, "Timed frames of each row")
+  command->add_option("--repeats", options->repeats, "Number of timed frames in each row")
       ->capture_default_str();
   AddJsonOption(*command, json.get());
   command->callback([options, json, run] {
@@ -163,7 +163,7 @@ void AddBenchSr(CLI::App& bench, CommandRun* run) {
       "checked first");
   command->add_option("--scale", options->scale, "Upscale factor, output / render")
       ->capture_default_str();
-  command->add_option("--repeats", options->repeats, "Timed frames of each row")
+  command->add_option("--repeats", options->repeats, "Number of timed frames in each row")
       ->capture_default_str();
   AddJsonOption(*command, json.get());
   command->callback(
@@ -180,15 +180,17 @@ void AddBenchCommand(CLI::App& app, CommandRun* run) {
   CLI::App* command = bench->add_subcommand(
       "warp",
       "Time the warp kernels against OpenCV's remap, on one thread; each result is checked first");
-  command->add_option("--width", options.width, "Pixels")->capture_default_str();
-  command->add_option("--height", options.height, "Pixels")->capture_default_str();
-  command->add_option("--repeats", options.repeats, "Timed runs of each call")
+  command->add_option("--width", options.width, "Width of the image in pixels")
+      ->capture_default_str();
+  command->add_option("--height", options.height, "Height of the image in pixels")
+      ->capture_default_str();
+  command->add_option("--repeats", options.repeats, "Number of timed runs of each call")
       ->capture_default_str();
   std::vector<std::string> formats;
   for (const PixelFormat format : kPixelFormats) formats.emplace_back(Name(format));
   command
       ->add_option("--formats", arguments->formats,
-                   "Pixel formats, separated by commas (default: all)")
+                   "Pixel formats to time, separated by commas (default: all)")
       ->delimiter(',')
       ->check(CLI::IsMember(formats));
   AddJsonOption(*command, &arguments->json);
@@ -197,13 +199,13 @@ void AddBenchCommand(CLI::App& app, CommandRun* run) {
   const auto ssim = std::make_shared<BenchSsimArguments>();
   command = bench->add_subcommand(
       "ssim", "Time the training's SSIM with gradient, on one thread; the result is checked first");
-  command->add_option("--width", ssim->width, "Pixels")
+  command->add_option("--width", ssim->width, "Width of the image in pixels")
       ->check(CLI::Range(64, 1 << 14))
       ->capture_default_str();
-  command->add_option("--height", ssim->height, "Pixels")
+  command->add_option("--height", ssim->height, "Height of the image in pixels")
       ->check(CLI::Range(64, 1 << 14))
       ->capture_default_str();
-  command->add_option("--repeats", ssim->repeats, "Timed runs")
+  command->add_option("--repeats", ssim->repeats, "Number of timed runs")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   AddJsonOption(*command, &ssim->json);

@@ -274,52 +274,57 @@ void AddCalibrateCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<CalibrateArguments>();
   CalibrateArguments& a = *arguments;
   CLI::App* command = app.add_subcommand(
-      "calibrate", "Fit the parameters of the pipeline to clips: writes PARAMS.json");
-  command->add_option("--sequence", a.sequences, "Sequences with references: clips to fit")
-      ->required();
-  command->add_option("--modes", a.modes, "What the parameters must be good for, all alike")
+      "calibrate", "Fit the parameters of the pipeline to clips and write PARAMS.json");
+  command->add_option("--sequence", a.sequences, "Sequences to fit, with references")->required();
+  command->add_option("--modes", a.modes, "Methods to fit the parameters to, with equal weight")
       ->delimiter(',')
       ->capture_default_str();
   command
       ->add_option("--out", a.out,
-                   "The parameters to write; beside them, PARAMS.json.checkpoint meanwhile")
+                   "Parameters to write; PARAMS.json.checkpoint stands next to them meanwhile")
       ->required();
   CLI::Option* hold_out =
-      command->add_option("--hold-out", a.hold_out, "Names of sequences to judge by and not to fit")
+      command->add_option("--hold-out", a.hold_out, "Names of sequences to judge by, not to fit")
           ->delimiter(',');
   command
       ->add_flag("--split-frames", a.split_frames,
-                 "Fit the first half of each clip, judge by the second")
+                 "Fit the first half of each clip and judge by the second")
       ->excludes(hold_out);
-  command->add_option("--fit", a.fit, "Names of parameters to fit (default: all that are read)")
+  command
+      ->add_option("--fit", a.fit, "Names of parameters to fit (default: all that the modes read)")
       ->delimiter(',');
   command
       ->add_option(
           "--keep", a.keep,
-          "near: go from the defaults as far as the clips tell; optimum: all the way to the "
-          "best for these clips, for content that is no other or for many different clips")
+          "Point to keep: near (as near to the defaults as the clips allow) or optimum (the "
+          "optimum of these clips)")
       ->check(CLI::IsMember({"near", "optimum"}))
       ->capture_default_str();
-  command->add_option("--starts", a.starts, "Random starts, beside the defaults and the paper's")
+  command
+      ->add_option("--starts", a.starts,
+                   "Number of random starts, besides the defaults and the paper's constants")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command->add_option("--seed", a.seed, "Of the random starts")->capture_default_str();
-  command->add_option("--max-seconds", a.max_seconds, "Time limit of the search (default: none)")
+  command->add_option("--seed", a.seed, "Seed of the random starts")->capture_default_str();
+  command
+      ->add_option("--max-seconds", a.max_seconds,
+                   "Time limit of the search in seconds (default: none)")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--every", a.every, "Modes that generate: one frame in so many is rendered")
+  command->add_option("--every", a.every, "Render every N-th frame, in modes that generate")
       ->check(CLI::Range(2, 64))
       ->capture_default_str();
   command
-      ->add_option("--max-pixels", a.max_pixels,
-                   "Fit the middle of each frame, at most so many output pixels (default: all; ten "
-                   "frames of 1080p take minutes, 500000 a quarter of that)")
+      ->add_option(
+          "--max-pixels", a.max_pixels,
+          "Number of output pixels to fit, in the middle of each frame (default: all; 500000 "
+          "are quick)")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command
       ->add_option("--max-frames", a.max_frames,
-                   "Fit the first frames of each clip, at most so many (default: all)")
+                   "Number of frames to fit, from the first of each clip (default: all)")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command->add_flag("--resume", a.resume,
-                    "Go on from the checkpoint of an interrupted calibration");
+                    "Continue an interrupted calibration from its checkpoint");
   AddTableOptions(*command, &a.pipeline);
   AddPipelineOptions(*command, &a.pipeline);
   AddJsonOption(*command, &a.json);

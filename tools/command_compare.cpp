@@ -67,14 +67,15 @@ ExitCode Compare(const CompareOptions& options) {
 void AddCompareCommand(CLI::App& app, CommandRun* run) {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App* command =
-      app.add_subcommand("compare", "PSNR (RGB) and SSIM (luma) of two folders of frames");
-  command->add_option("dir_a", options->a, "Images, a folder of them, or a sequence")->required();
-  command->add_option("dir_b", options->b, "What to compare with; the same file names")->required();
-  command->add_option("--border", options->border, "Pixels at each edge that do not count")
+      app.add_subcommand("compare", "Compare two folders of frames by PSNR (RGB) and SSIM (luma)");
+  command->add_option("dir_a", options->a, "Images, a folder of images, or a sequence")->required();
+  command->add_option("dir_b", options->b, "Images to compare with, by the same file names")
+      ->required();
+  command->add_option("--border", options->border, "Number of pixels to cut at each edge")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
-  command->add_option("--min-psnr", options->min_psnr, "Target: the least mean PSNR in dB");
-  command->add_option("--min-ssim", options->min_ssim, "Target: the least mean SSIM");
+  command->add_option("--min-psnr", options->min_psnr, "Least mean PSNR in dB, as a target");
+  command->add_option("--min-ssim", options->min_ssim, "Least mean SSIM, as a target");
   AddJsonOption(*command, &options->json);
   command->callback([options, run] { *run = [options] { return Compare(*options); }; });
 }

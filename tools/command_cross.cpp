@@ -132,26 +132,29 @@ void AddCrossCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<CrossArguments>();
   CrossArguments& a = *arguments;
   CLI::App* command = app.add_subcommand(
-      "cross", "Judge LUTs in the loop of super resolution, across upscale factors");
+      "cross", "Judge tables in the loop of super resolution, across upscale factors");
   command
-      ->add_option("--images", a.images, "Images, folders of them, or sequences (their references)")
+      ->add_option("--images", a.images,
+                   "Images, folders of images, or sequences (their references)")
       ->required();
   command
-      ->add_option("--luts", a.luts, "Fits, baked tables (.json), or .exr in the released layout")
+      ->add_option("--luts", a.luts,
+                   "Tables to judge: fits, baked tables (.json), or .exr in the released layout")
       ->required();
-  command->add_option("--scales", a.scales, "Upscale factors, in [1, 4]")
+  command->add_option("--scales", a.scales, "Upscale factors to judge at, in [1, 4]")
       ->delimiter(',')
       ->capture_default_str();
   command->add_option("--blend-a", a.options.blend_a,
-                      "Share of a sample on the pixel centre (default: the pipeline's)");
+                      "Share of a sample on the pixel centre (default: that of the pipeline)");
   command->add_option("--blend-b", a.options.blend_b,
-                      "How fast it falls with the distance (default: the pipeline's)");
+                      "Decrease of that share with the distance (default: that of the pipeline)");
   command->add_option("--pan-share", a.options.pan_share,
-                      "Share of constant motion in L, in [0, 1) (default: the trainer's)");
+                      "Share of pans in the loss, in [0, 1) (default: that of the trainer)");
   command->add_option("--crops", a.options.crops,
-                      "Number of crops to judge by (default: the trainer's)");
-  command->add_option("--seed", a.options.seed, "Of crops and trajectories")->capture_default_str();
-  command->add_option("--threads", a.options.threads, "Threads (default: all)");
+                      "Number of crops to judge by (default: that of the trainer)");
+  command->add_option("--seed", a.options.seed, "Seed of crops and trajectories")
+      ->capture_default_str();
+  command->add_option("--threads", a.options.threads, "Number of threads (default: all cores)");
   command->add_flag("--markdown", a.markdown, "Print Markdown tables");
   AddJsonOption(*command, &a.json);
   command->callback([arguments, run] { *run = [arguments] { return RunCross(*arguments); }; });

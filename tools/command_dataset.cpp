@@ -146,26 +146,31 @@ void AddRender(CLI::App& dataset, CommandRun* run) {
   RenderOptions& options = arguments->options;
   CLI::App* command =
       dataset.add_subcommand("render", "Render built-in scenes into sequences, OUT/SCENE");
-  command->add_option("scene", arguments->selection, "A scene, or training, held-out, all")
+  command
+      ->add_option("scene", arguments->selection,
+                   "Scenes to render: a name, or training, held-out, all")
       ->required();
-  command->add_option("--out", arguments->out, "The folder for the sequences")->required();
-  command->add_option("--width", options.width, "Pixels of the output grid")->capture_default_str();
-  command->add_option("--height", options.height, "Pixels of the output grid")
+  command->add_option("--out", arguments->out, "Folder for the sequences")->required();
+  command->add_option("--width", options.width, "Width of the output grid in pixels")
+      ->capture_default_str();
+  command->add_option("--height", options.height, "Height of the output grid in pixels")
       ->capture_default_str();
   command->add_option("--scale", options.scale, "Upscale factor, output / render")
       ->capture_default_str();
-  command->add_option("--frames", options.frames, "Number of frames")->capture_default_str();
+  command->add_option("--frames", options.frames, "Number of frames to render")
+      ->capture_default_str();
   command->add_option("--samples", options.samples, "Samples per pixel of the reference")
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Varies placement, textures and sample positions")
+  command->add_option("--seed", options.seed, "Seed of placement, textures and sample positions")
       ->capture_default_str();
-  command->add_flag("--linear", options.linear, "Linear HDR colour (.exr) in place of sRGB (.png)");
-  command->add_option("--exposure", options.exposure, "Factor on the light, before a tone curve")
+  command->add_flag("--linear", options.linear,
+                    "Write linear HDR colour (.exr) instead of sRGB (.png)");
+  command->add_option("--exposure", options.exposure, "Factor on the light, before the tone curve")
       ->capture_default_str();
-  command->add_option("--threads", options.threads, "Threads (default: all)");
+  command->add_option("--threads", options.threads, "Number of threads (default: all cores)");
   command
       ->add_option("--streams", arguments->streams,
-                   "Which streams, separated by commas (default: all)")
+                   "Streams to write, separated by commas (default: all)")
       ->delimiter(',');
   AddJsonOption(*command, &arguments->json);
   command->callback([arguments, run] { *run = [arguments] { return RunRender(*arguments); }; });
@@ -185,8 +190,9 @@ void AddDatasetCommand(CLI::App& app, CommandRun* run) {
 
   const auto path = std::make_shared<std::string>();
   CLI::App* inspect =
-      dataset->add_subcommand("inspect", "Load every frame; tell what is missing or damaged");
-  inspect->add_option("sequence", *path, "A sequence.json or its folder")->required();
+      dataset->add_subcommand("inspect", "Load every frame and report missing and damaged files");
+  inspect->add_option("sequence", *path, "Sequence to load: a sequence.json or its folder")
+      ->required();
   AddJsonOption(*inspect, json.get());
   inspect->callback(
       [path, json, run] { *run = [path, json] { return RunInspect(*path, *json); }; });

@@ -185,18 +185,19 @@ void AddEvalCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<EvalArguments>();
   EvalArguments& a = *arguments;
   CLI::App* command =
-      app.add_subcommand("eval", "Judge a LUT by repeated warps, or methods on sequences");
+      app.add_subcommand("eval", "Judge a table by repeated warps, or methods on sequences");
   CLI::Option* images = command->add_option(
-      "--images", a.images, "Images, folders of them, or sequences (their references)");
+      "--images", a.images, "Images, folders of images, or sequences (their references)");
   AddSequenceOptions(*command, &a.sequence)->excludes(images);
-  command->add_option("--warps", a.warps, "How often to warp")
+  command->add_option("--warps", a.warps, "Numbers of warps to judge after")
       ->delimiter(',')
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   command
       ->add_option(
           "--offsets", a.offsets,
-          "half: by (1/2, 1/2) and back; random: any, back to the start; pan: one and the same")
+          "Kinds of offsets: half (by (1/2, 1/2) and back), random (back to the start), pan (one "
+          "and the same)")
       ->delimiter(',')
       ->check(CLI::IsMember({Name(Offsets::kHalf), Name(Offsets::kRandom), Name(Offsets::kPan)}))
       ->capture_default_str();
@@ -207,25 +208,26 @@ void AddEvalCommand(CLI::App& app, CommandRun* run) {
                        WarpNames())
       ->delimiter(',')
       ->capture_default_str();
-  command->add_option("--format", a.format, "How a fit or an .exr is stored before it is judged")
+  command->add_option("--format", a.format, "Storage format in which a fit or an .exr is judged")
       ->check(CLI::IsMember(TableFormatNames()))
       ->capture_default_str();
-  command->add_option("--trajectories", a.trajectories, "Random trajectories for each image")
+  command
+      ->add_option("--trajectories", a.trajectories, "Number of random trajectories for each image")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command
       ->add_option("--crop", a.crop,
-                   "Side of the window judged in the middle of each image; 0: all of it")
+                   "Side of the window in the middle of each image; 0 judges whole images")
       ->check(CLI::Range(0, 1 << 15))
       ->capture_default_str();
-  command->add_option("--seed", a.seed, "Of the random trajectories")->capture_default_str();
+  command->add_option("--seed", a.seed, "Seed of the random trajectories")->capture_default_str();
   command->add_option("--target", a.sequence.targets,
-                      std::string(kScoreTargetForm) +
-                          ": the SSIM must exceed FILTER's by more than MARGIN; on sequences "
-                          "METHOD,PSNR,SSIM: what it must reach");
+                      std::string("Targets for the SSIM, more than MARGIN above FILTER's: ") +
+                          kScoreTargetForm +
+                          "; on sequences the least values of a method: METHOD,PSNR,SSIM");
   command->add_option("--pictures", a.sequence.pictures,
-                      "Folder for pictures: original, Catmull-Rom and the LUT after 24 warps; on "
-                      "sequences the reference and all methods where they err most");
+                      "Folder for pictures: original, Catmull-Rom and the table after 24 warps; on "
+                      "sequences the windows where the first method errs most");
   CLI::Option* markdown =
       command->add_flag("--markdown", a.sequence.markdown, "Print the table as Markdown");
   AddJsonOption(*command, &a.sequence.json);

@@ -170,14 +170,15 @@ CLI::Option* AddSequenceOptions(CLI::App& eval, SequenceEvalArguments* arguments
   SequenceEvalArguments& a = *arguments;
   CLI::Option* sequence =
       eval.add_option("--sequence", a.sequences,
-                      "Sequences with references: judge methods on them, in place of images");
-  eval.add_option("--modes", a.modes, "Methods (see 'run --help'); baselines are added")
+                      "Sequences with references to judge methods on, instead of images");
+  eval.add_option("--modes", a.modes,
+                  "Methods to judge ('run --help' lists them); baselines are added")
       ->delimiter(',')
       ->capture_default_str();
-  eval.add_option("--every", a.every, "For methods that generate, one frame in so many is rendered")
+  eval.add_option("--every", a.every, "Render every N-th frame, for methods that generate")
       ->check(CLI::Range(2, 64))
       ->capture_default_str();
-  eval.add_option("--border", a.border, "Pixels at each edge that do not count, on sequences")
+  eval.add_option("--border", a.border, "Number of pixels to cut at each edge, on sequences")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   AddSettledOption(eval, &a.settled)->needs(sequence);

@@ -214,15 +214,17 @@ void AddProfileCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<ProfileArguments>();
   ProfileArguments& a = *arguments;
   CLI::App* command = app.add_subcommand(
-      "profile", "Find the passes that content can do without: writes PIPELINE.h");
-  command->add_option("--sequence", a.sequences, "Sequences, best with references")->required();
-  command->add_option("--mode", a.mode, "The method: sr, i, e, isr, esr")->capture_default_str();
-  command->add_option("--out", a.out, "The header to write")->required();
+      "profile", "Find the passes that content can do without and write PIPELINE.h");
+  command->add_option("--sequence", a.sequences, "Sequences to profile, best with references")
+      ->required();
+  command->add_option("--mode", a.mode, "Method to profile: sr, i, e, isr or esr")
+      ->capture_default_str();
+  command->add_option("--out", a.out, "Header to write")->required();
   command
       ->add_option("--within", a.within,
-                   "SSIM that may be lost against every pass together, on the worst sequence")
+                   "Largest loss of SSIM against the full pipeline, on the worst sequence")
       ->capture_default_str();
-  command->add_option("--every", a.every, "Modes that generate: one frame in so many is rendered")
+  command->add_option("--every", a.every, "Render every N-th frame, in modes that generate")
       ->check(CLI::Range(2, 64))
       ->capture_default_str();
   AddTableOptions(*command, &a.pipeline);

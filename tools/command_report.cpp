@@ -73,16 +73,17 @@ std::string CommandLine(const ReportOptions& options) {
 void AddReportCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<ReportArguments>();
   ReportOptions& options = arguments->options;
-  CLI::App* report = app.add_subcommand(
-      "report", "Write one page: error against time, stability, what content does without");
-  report->add_option("--out", options.folder, "The folder for the page and its tables and plots")
+  CLI::App* report =
+      app.add_subcommand("report", "Write one page: error against time, stability, omissions");
+  report->add_option("--out", options.folder, "Folder for the page, its tables and plots")
       ->required();
-  report->add_flag("--quick", options.quick, "In under 3 minutes instead of under 20");
+  report->add_flag("--quick", options.quick, "Finish in under 3 minutes instead of under 20");
   report->add_option("--sequence", options.sequences,
                      "Sequences with references (default: the built-in scenes)");
-  report->add_option("--lut", options.lut, "A fit or a table (default: the fits that ship)");
-  report->add_option("--threads", options.threads, "Threads (default: all)");
-  report->add_option("--seed", options.seed, "Varies scenes, offsets and starts")
+  report->add_option("--lut", options.lut,
+                     "Fit or table to report on (default: the fits that ship)");
+  report->add_option("--threads", options.threads, "Number of threads (default: all cores)");
+  report->add_option("--seed", options.seed, "Seed of scenes, offsets and starts")
       ->capture_default_str();
   std::string known;
   for (const ReportSectionInfo& info : ReportSections()) {
@@ -90,7 +91,7 @@ void AddReportCommand(CLI::App& app, CommandRun* run) {
   }
   report
       ->add_option("--sections", options.sections,
-                   "Some of the sections, separated by commas: " + known)
+                   "Sections to make, separated by commas: " + known)
       ->delimiter(',');
   AddJsonOption(*report, &arguments->json);
   report->callback([arguments, run] {

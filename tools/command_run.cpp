@@ -107,18 +107,19 @@ ExitCode Run(const RunArguments& arguments) {
 void AddRunCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<RunArguments>();
   RunArguments& a = *arguments;
-  CLI::App* command =
-      app.add_subcommand("run", "Super resolution and frame generation of a sequence, as files");
+  CLI::App* command = app.add_subcommand(
+      "run", "Write the frames of a method: super resolution and frame generation");
   std::string modes;
   for (const MethodInfo& method : Methods()) {
     modes += fmt::format("{}{}: {}", modes.empty() ? "" : "; ", method.name, method.meaning);
   }
-  command->add_option("--mode", a.mode, modes)->required();
-  command->add_option("--sequence", a.sequence, "A sequence.json or its folder")->required();
-  command->add_option("--out", a.out, "The folder for the frames")->required();
-  command->add_option("--format", a.format, "Of the files (default: png, exr if linear)")
+  command->add_option("--mode", a.mode, "Method to run: " + modes)->required();
+  command->add_option("--sequence", a.sequence, "Sequence to read: a sequence.json or its folder")
+      ->required();
+  command->add_option("--out", a.out, "Folder for the frames")->required();
+  command->add_option("--format", a.format, "Format of the files (default: png, exr if linear)")
       ->check(CLI::IsMember({"png", "exr"}));
-  command->add_option("--every", a.every, "One frame in so many is rendered")
+  command->add_option("--every", a.every, "Render every N-th frame")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   AddTableOptions(*command, &a.pipeline);

@@ -100,11 +100,12 @@ ExitCode RunStability(const StabilityArguments& arguments) {
 void AddStabilityCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<StabilityArguments>();
   CLI::App* command =
-      app.add_subcommand("stability", "Run stiff and extreme cases against what must happen there");
+      app.add_subcommand("stability", "Run stiff and extreme cases and check their requirements");
   command->add_option("--group", arguments->group, "Run the cases of one group alone")
       ->check(CLI::IsMember(GroupNames()));
-  command->add_flag("--quick", arguments->quick, "Fewer frames and starts: seconds, not minutes");
-  command->add_flag("--markdown", arguments->markdown, "Print a Markdown table");
+  command->add_flag("--quick", arguments->quick,
+                    "Run fewer frames and starts: seconds instead of minutes");
+  command->add_flag("--markdown", arguments->markdown, "Print the table as Markdown");
   AddJsonOption(*command, &arguments->json);
   command->callback([arguments, run] { *run = [arguments] { return RunStability(*arguments); }; });
 }

@@ -162,66 +162,67 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
   const auto arguments = std::make_shared<TrainArguments>();
   TrainOptions& options = arguments->options;
   CLI::App* command =
-      app.add_subcommand("train", "Fit resampling weights to images: writes a fit (JSON)");
+      app.add_subcommand("train", "Train a resampler on images and write it as a fit (JSON)");
   command
       ->add_option("--data", arguments->data,
-                   "Images, folders of them, or sequences (their references)")
+                   "Images, folders of images, or sequences (their references)")
       ->required();
   command
       ->add_option("--out", arguments->out,
-                   "The fit to write; beside it, FIT.checkpoint while training")
+                   "Fit to write; FIT.checkpoint stands next to it while training")
       ->required();
   command->add_option("--name", arguments->name,
-                      "Identifier of the LUT (default: the stem of --out)");
+                      "Identifier of the table (default: file name of --out)");
   command->add_option("--scale", options.scale, "Upscale factor, output / render, in [1, 4]")
       ->capture_default_str();
   command
-      ->add_option(
-          "--objective", arguments->objective,
-          "What is minimised: the loss of repeated warps, or of the loop of super resolution")
+      ->add_option("--objective", arguments->objective,
+                   "Loss to minimise: that of repeated warps, or of the loop of super resolution")
       ->check(CLI::IsMember({Name(TrainObjective::kWarp), Name(TrainObjective::kSr)}))
       ->capture_default_str();
   command
       ->add_option(
           "--prefilter", arguments->prefilter,
-          "What is learned beside the table: none, spline (fixed, of the best spline), iir "
-          "(recursive) or fir:N (N taps, odd, 3 to 15)")
+          "Prefilter of the table: none, spline (fixed, of the best spline), iir (trained, "
+          "recursive) or fir:N (trained, N taps, odd, 3 to 15)")
       ->capture_default_str();
   command->add_option("--blend-a", options.blend_a,
-                      "Share of a sample on the pixel centre, with --objective sr (default: the "
-                      "pipeline's)");
-  command->add_option("--blend-b", options.blend_b,
-                      "How fast it falls with the distance, with --objective sr (default: the "
-                      "pipeline's)");
+                      "Share of a sample on the pixel centre, for --objective sr (default: that of "
+                      "the pipeline)");
+  command->add_option(
+      "--blend-b", options.blend_b,
+      "Decrease of that share with the distance, for --objective sr (default: that of "
+      "the pipeline)");
   command
       ->add_option("--horizons", options.horizons,
-                   "Even numbers of warps, ascending (default: by scale)")
+                   "Numbers of warps to train for, even, ascending (default: by scale)")
       ->delimiter(',');
-  command->add_option("--optimizer", arguments->optimizer, "How")
+  command->add_option("--optimizer", arguments->optimizer, "Optimizer of the training")
       ->check(CLI::IsMember({Name(Optimizer::kLbfgs), Name(Optimizer::kAdam)}))
       ->capture_default_str();
   command->add_option("--gain-bound", options.gain_bound,
                       "Largest gain of any node (default: by horizons)");
   command->add_option("--pan-share", options.pan_share,
-                      fmt::format("Share of constant motion in the objective, in [0, 1) (default: "
+                      fmt::format("Share of pans in the objective, in [0, 1) (default: "
                                   "{:.2f}, {} with --prefilter none, {} with --objective sr)",
                                   kPanShare, kPlainPanShare, kSrPanShare));
-  command->add_option(
-      "--aliasing", options.aliasing,
-      fmt::format("Noise of samples by aliasing, in output pixels, with --objective "
-                  "sr (default: {})",
-                  kSrAliasing));
+  command->add_option("--aliasing", options.aliasing,
+                      fmt::format("Noise of samples by aliasing, in output pixels, for --objective "
+                                  "sr (default: {})",
+                                  kSrAliasing));
   command->add_option("--crops", options.crops,
-                      "Number of crops to train on (default: the trainer's)");
-  command->add_option("--stages", options.stages, "Of the training")->capture_default_str();
+                      "Number of crops to train on (default: by objective)");
+  command->add_option("--stages", options.stages, "Number of training stages")
+      ->capture_default_str();
   command->add_option("--iterations", options.iterations,
-                      "Of the optimizer in each stage (default: its own)");
+                      "Iterations of the optimizer in each stage (default: by optimizer)");
   command->add_option("--max-seconds", options.max_seconds,
-                      "Time limit of the training (default: none)");
-  command->add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
-  command->add_option("--threads", options.threads, "Threads (default: all)");
+                      "Time limit of the training in seconds (default: none)");
+  command->add_option("--seed", options.seed, "Seed of crops, trajectories and start")
+      ->capture_default_str();
+  command->add_option("--threads", options.threads, "Number of threads (default: all cores)");
   command->add_flag("--resume", options.resume,
-                    "Go on from the checkpoint of an interrupted training");
+                    "Continue an interrupted training from its checkpoint");
   AddJsonOption(*command, &arguments->json);
   command->callback([arguments, run] { *run = [arguments] { return RunTrain(*arguments); }; });
 }

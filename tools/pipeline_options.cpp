@@ -6,40 +6,48 @@
 namespace warplut {
 
 void AddTableOptions(CLI::App& command, PipelineArguments* arguments) {
-  command.add_option("--lut", arguments->lut,
-                     "A fit, a baked table (.json), or an .exr in the released layout");
-  command.add_option("--lookup", arguments->lookup, "In the table (default: bilinear)")
+  command.add_option(
+      "--lut", arguments->lut,
+      "Table of the filter: a fit, a baked table (.json) or an .exr in the released layout");
+  command
+      .add_option("--lookup", arguments->lookup,
+                  "Lookup between nodes of the table (default: bilinear)")
       ->check(CLI::IsMember({Name(Lookup::kNearest), Name(Lookup::kBilinear)}));
-  command.add_option("--threads", arguments->threads, "Threads (default: all)")
+  command.add_option("--threads", arguments->threads, "Number of threads (default: all cores)")
       ->check(CLI::Range(0, 1024));
 }
 
 void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments) {
   PipelineArguments& a = *arguments;
-  command.add_option("--filter", a.filter, "In place of a LUT: " + WarpNames());
-  command.add_option("--params", a.params, "Calibrated parameters (default: the built-in ones)");
-  command.add_option("--frames", a.frames, "A:B, the first and the last frame (default: all)");
-  CLI::Option* generated =
-      command.add_option("--generated", a.generated, "Generated frames between two rendered ones")
-          ->capture_default_str();
-  command.add_option("--alpha", a.alphas, "Times of generated frames in (0, 1), in place of that")
+  command.add_option("--filter", a.filter, "Closed-form filter instead of a table: " + WarpNames());
+  command.add_option("--params", a.params,
+                     "File of calibrated parameters (default: built-in parameters)");
+  command.add_option("--frames", a.frames, "First and last frame to use, as A:B (default: all)");
+  CLI::Option* generated = command
+                               .add_option("--generated", a.generated,
+                                           "Number of generated frames between two rendered ones")
+                               ->capture_default_str();
+  command
+      .add_option("--alpha", a.alphas,
+                  "Times of generated frames in (0, 1), instead of --generated")
       ->delimiter(',')
       ->excludes(generated);
   command
-      .add_option("--motion-filter", a.motion_filter,
-                  "Take quantisation out of the motion vectors; auto: where they are quantised")
+      .add_option(
+          "--motion-filter", a.motion_filter,
+          "Remove quantisation from motion vectors; auto removes it where they are quantised")
       ->check(CLI::IsMember({"on", "off", "auto"}))
       ->capture_default_str();
-  command.add_option("--history", a.history, "Format of the history (default: rgba16f)")
+  command.add_option("--history", a.history, "Pixel format of the history (default: rgba16f)")
       ->check(CLI::IsMember(HistoryFormatNames()));
-  command.add_flag("--texels", a.texels,
-                   "Render by taking texels of the reference, in the order of the jitter");
+  command.add_flag(
+      "--texels", a.texels,
+      "Take render-grid colour from texels of the reference, in the order of the jitter");
 }
 
 CLI::Option* AddSettledOption(CLI::App& command, int* settled) {
   return command
-      .add_option("--settled", *settled,
-                  "Print the means without the first so many judged frames, too")
+      .add_option("--settled", *settled, "Also print means without the first N judged frames")
       ->check(CLI::Range(1, 1 << 20));
 }
 

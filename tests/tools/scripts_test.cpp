@@ -14,7 +14,8 @@ namespace {
 const std::string kTools = WARPLUT_SOURCE "/tools/";
 
 TEST(Scripts, RefuseUnknownOptions) {
-  for (const char* script : {"test.sh", "quickstart.sh", "install_dependencies.sh"}) {
+  for (const char* script : {"test.sh", "quickstart.sh", "install_dependencies.sh",
+                             "update_examples.sh", "check_style.sh"}) {
     const ProgramResult result = RunProgram(kTools + script, {"--nonsense"});
     EXPECT_EQ(result.code, 1) << script;
     EXPECT_THAT(result.err,
