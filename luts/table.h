@@ -53,7 +53,7 @@ class Table {
   // 33 x 33 rows of 16 weights, dy slowest, 64-byte aligned rows.
   const float* data() const { return rows_.front().weights.data(); }
 
-  // What turns an image into the coefficients that this table reads (luts/prefilter.h).
+  // The prefilter that turns an image into the coefficients of this table (luts/prefilter.h).
   const Prefilter& prefilter() const { return prefilter_; }
 
  private:

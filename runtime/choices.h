@@ -1,4 +1,5 @@
-// What can be chosen of the passes: by the options at run time, or by a PipelineConfiguration when the runtime is compiled.
+// Choices of the passes: made by the options at run time, or by a PipelineConfiguration when the
+// runtime is compiled.
 #pragma once
 
 #include <cstdint>
@@ -7,24 +8,24 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// How new samples enter the history (runtime/super_resolution.h).
+// The form in which new samples enter the history (runtime/super_resolution.h).
 enum class HistoryForm : std::uint8_t { kSample, kResidual, kAdaptive };
 
 // The colour box that limits the history.
 enum class ColorClamp : std::uint8_t { kNone, kBox, kVariance };
 
-// Where the history of an output pixel lies.
+// The source of motion and depth of an output pixel.
 enum class MotionUpsampling : std::uint8_t {
   kNearest,    // the motion of the nearest sample
-  kDilated,    // of the nearest surface among 3 x 3 samples
+  kDilated,    // that of the nearest surface among 3 x 3 samples
   kEdgeAware,  // bilinear inside surfaces, dilated at their edges
-  kStatic,     // where it was: neither motion nor depth is read, nothing is warped
+  kStatic,     // none: neither motion nor depth is read, nothing is warped
 };
 
-// How the current frame alone is interpolated.
+// The interpolation of the current frame alone.
 enum class CurrentFrame : std::uint8_t { kBilinear, kBicubic };
 
-// How a pixel moves between frames (runtime/frame_generation.h).
+// The path of a pixel between frames (runtime/frame_generation.h).
 enum class MotionModel : std::uint8_t { kLinear, kQuadratic };
 
 enum class DisocclusionFill : std::uint8_t {
@@ -33,7 +34,7 @@ enum class DisocclusionFill : std::uint8_t {
   kNone,        // frame 1 as it is
 };
 
-// The choices by name, as sentences and tables have them.
+// Names of the choices, for sentences and tables.
 constexpr const char* Name(HistoryForm value) {
   switch (value) {
     case HistoryForm::kSample:

@@ -1,4 +1,4 @@
-// What the values of colour images mean, and the code that linear HDR is warped and blended in.
+// The meaning of colour values, and the code in which linear HDR is warped and blended.
 #pragma once
 
 #include <algorithm>
@@ -11,26 +11,30 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// kDisplay: what the display gets, in [0, 1]. kLinearHdr: scene-linear, >= 0, unbounded; histories, warps and blends then work on
-// the HdrCode of each channel.
+// kDisplay: values of the display, in [0, 1]. kLinearHdr: scene-linear light, >= 0, unbounded;
+// histories, warps and blends then work on the HdrCode of each channel.
 enum class ColorEncoding : std::uint8_t { kDisplay, kLinearHdr };
 
 constexpr const char* Name(ColorEncoding encoding) {
   return encoding == ColorEncoding::kDisplay ? "display" : "linear HDR";
 }
 
-// Linear channels count up to here, the largest half; what is above, infinity too, as this, what is negative and NaN as 0.
+// The largest linear channel, that of a half. Larger values and infinity count as this, negative
+// ones and NaN as 0.
 inline constexpr float kLargestHdr = 65504.0f;
 inline float LimitHdr(float x) { return x > 0.0f && !IsNan(x) ? std::min(x, kLargestHdr) : 0.0f; }
 
-// The code of x in [0, kLargestHdr], in [0, 1]: log2(1 + kHdrGain x) / kHdrOctaves, but within each octave, from 2^k to
-// 2^(k+1), the logarithm is k + f (4 - f) / 3 with 1 + f the mantissa. That has a continuous slope, is within 0.01 of the
-// logarithm and has an exact inverse. Linear below about 1 / 64, logarithmic above: resampling cannot overshoot to more than a
-// multiple, and a code that is off by e means a value that is off by at most 16.5 e (x + 1 / kHdrGain), in half floats
-// by 0.2 % for x up to about 30 and 0.4 % above.
+// The code of x in [0, kLargestHdr], in [0, 1]: log2(1 + kHdrGain x) / kHdrOctaves, with an
+// approximate logarithm. Within each octave, from 2^k to 2^(k+1), it is k + f (4 - f) / 3 with
+// 1 + f the mantissa. It has a continuous slope and an exact inverse, and is within 0.01 of the
+// logarithm.
+//
+// The code is linear below about 1 / 64 and logarithmic above, so that an overshoot of resampling
+// is a multiple at most. A code that is off by e means a value that is off by at most 16.5 e
+// (x + 1 / kHdrGain): in half floats 0.2 % for x up to about 30 and 0.4 % above.
 inline constexpr int kHdrOctaves = 22;
 inline constexpr float kHdrGain = (static_cast<float>(1 << kHdrOctaves) - 1) / kLargestHdr;
-// Of a float: the bits of its mantissa, and those of 1.
+// The number of mantissa bits of a float, and the bits of 1.
 inline constexpr int kMantissaBits = 23;
 inline constexpr std::int32_t kOneBits = 127 << kMantissaBits;
 
@@ -50,12 +54,12 @@ inline float HdrValue(float code) {
   return std::min((std::bit_cast<float>(bits) - 1) * (1 / kHdrGain), kLargestHdr);
 }
 
-// Resampling may make codes brighter than all that it resamples only up to the code of this: brighter ones would
-// be fireflies, as they stand for multiples of what is there.
+// Resampling may exceed the brightest resampled value only up to the code of this. Brighter codes
+// would be fireflies, as an overshoot of a code stands for a multiple of the value.
 inline constexpr float kUnlimitedHdr = 1.0f;
 
-// What a difference of 1 between displayed values is between codes, about: thresholds of differences are those of displayed values
-// times this.
+// The difference of codes, about, that a difference of 1 of displayed values makes. Thresholds of
+// differences are those of displayed values times this.
 constexpr float CodeContrast(ColorEncoding encoding) {
   return encoding == ColorEncoding::kDisplay ? 1.0f : 0.28f;
 }

@@ -1,4 +1,5 @@
-// Runs independent pieces of work: the runtime's own threads, or the job system of the engine that uses it.
+// Runs independent pieces of work: the runtime's own threads, or the job system of the engine that
+// uses it.
 #pragma once
 
 #include <condition_variable>
@@ -11,8 +12,8 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// Every pass splits its work into pieces whose results do not depend on who runs them, or when: any executor gives the
-// same bits.
+// Every pass splits its work into pieces. Their results do not depend on thread or order, so any
+// executor gives the same bits.
 class Executor {
  public:
   virtual ~Executor() = default;
@@ -20,8 +21,8 @@ class Executor {
   // The largest number of pieces that run at the same time, at least 1.
   virtual int Threads() const = 0;
 
-  // Calls piece(i) for i = 0 .. count - 1, in any order, on any threads, and returns when all have ended. `piece` must not
-  // throw and must not call ForEach. It runs in a FloatEnvironment.
+  // Calls piece(i) for i = 0 .. count - 1, in any order, on any threads; returns when all have
+  // ended. `piece` must not throw and must not call ForEach. It runs in a FloatEnvironment.
   template <class Piece>
   void ForEach(int count, const Piece& piece) {
     Run(count, RunPiece<Piece>, &piece);
@@ -39,7 +40,7 @@ class Executor {
   }
 };
 
-// On the calling thread, in order.
+// Runs pieces on the calling thread, in order.
 class SerialExecutor final : public Executor {
  public:
   int Threads() const override { return 1; }
@@ -48,10 +49,10 @@ class SerialExecutor final : public Executor {
   void Run(int count, Call call, const void* context) override;
 };
 
-// `threads` threads, the calling one among them. One ForEach at a time.
+// Runs pieces on `threads` threads, the calling one included. One ForEach at a time.
 class ThreadPool final : public Executor {
  public:
-  // 0: as many as the processor runs at once.
+  // 0 means as many threads as the processor runs at once.
   explicit ThreadPool(int threads = 0);
   ~ThreadPool() override;
   ThreadPool(const ThreadPool&) = delete;

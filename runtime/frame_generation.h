@@ -1,19 +1,25 @@
-// Frame generation: frames between two displayed frames (interpolation) or after the later one (extrapolation).
+// Frame generation: frames between two displayed frames (interpolation) or after the later one
+// (extrapolation).
 //
-// p1 is a pixel of frame 1, m1 its motion (from frame 0 to 1), m0 the motion of frame 0 at p1 - m1 (from frame -1 to 0):
+// p1 is a pixel of frame 1, m1 its motion (from frame 0 to 1), m0 the motion of frame 0 at p1 - m1
+// (from frame -1 to 0):
 //   interpolated, at time alpha:      p1 - m1 + alpha/2 (m1 + m0) + alpha^2/2 (m1 - m0)
 //   extrapolated, at time 1 + alpha:  p1 + alpha/2 (3 m1 - m0) + alpha^2/2 (m1 - m0)
 // and without m0 the linear p1 - (1 - alpha) m1 and p1 + alpha m1.
 //
-// Passes: splat (the motion of every pixel of frame 1 to the nearest pixel of where it will be; the least depth wins, ties by the
-// lesser source index, whatever the thread order), refine (thin gaps take the mean of their foreground neighbours; what then has
-// no motion is a disocclusion and takes it from its surroundings), warp both frames and InterpolationShare (interpolation), or
-// warp frame 1 (extrapolation). docs/GENERATION.md has formulas, buffers, limits and measured quality.
+// Passes (docs/GENERATION.md has formulas, buffers and limits):
+//   splat   writes the motion of every pixel of frame 1 to the nearest pixel of its new place. The
+//           least depth wins, equal depths by the lesser source index, for any order of threads.
+//   refine  gives thin gaps the mean motion of their foreground neighbours. Pixels that then have
+//           no motion are disocclusions and take it from their surroundings.
+//   warp    warps both frames and blends by InterpolationShare (interpolation), or warps frame 1
+//           (extrapolation).
 //
+// Any executor gives the same bits. The generating functions allocate nothing. Bytes per pixel:
+//   splatting 16, kLinearHdr 16, motion filter 16 and its own, filter with a prefilter 32;
+//   for each thread 48 for each pixel of 16 rows.
 // Subnormals are flushed to zero, in colour, depth and motion (runtime/float_environment.h); a
 // source that is shown as it is keeps its bits.
-// Any executor gives the same bits. The generating functions allocate nothing. Buffers take 16 bytes per pixel (without splatting none),
-// with kLinearHdr and with a motion filter 16 more each, with a filter that has a prefilter 32 more, and 48 bytes for each pixel of 16 rows and each thread; a motion filter has its own besides.
 #pragma once
 
 #include <cstddef>
@@ -35,8 +41,9 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// One displayed frame; all views on one grid. Formats, units and the treatment of NaN and infinity as for RenderedFrame; a pixel
-// whose motion is not finite counts as one that was not there in the frame before: it goes nowhere.
+// One displayed frame. All views are on one grid. Formats, units and the treatment of NaN and
+// infinity are those of RenderedFrame. A pixel whose motion is not finite was not there in the
+// frame before: it goes nowhere.
 struct DisplayedFrame {
   ImageView color;
   ImageView depth;
@@ -46,25 +53,26 @@ struct DisplayedFrame {
   // nowhere: as frame 0 it makes the motion uniform. What engines write there, often 0, would count
   // as an acceleration.
   bool cut = false;
-  // Not 0: tells the frame from all others that this object is given. A filter with prefilter then turns its colour into
-  // coefficients once, however many frames are generated from it. 0: at every call.
+  // If not 0, identifies the frame among all that this object is given. A filter with a prefilter
+  // then turns its colour into coefficients once, however many frames are generated from it. With 0
+  // it does so at every call.
   std::uint64_t id = 0;
 };
 
-// Defaults are those of kPipeline (runtime/pipeline.h) where the build contains one value alone.
+// Defaults are those of kPipeline (runtime/pipeline.h) for choices that the build fixes.
 struct FrameGenerationOptions {
   int width = 0, height = 0;
   MotionModel motion_model = kPipeline.generation.motion_model.value_or(MotionModel::kQuadratic);
-  // false: a pixel takes the motion that frame 1 has at its place, as where little moves it nearly does; `refine` and `fill` then have
-  // nothing to do.
+  // false: a pixel takes the motion of frame 1 at its own place, which is nearly right where little
+  // moves. `refine` and `fill` then have no effect.
   bool splat = kPipeline.generation.splat.value_or(true);
   bool refine = kPipeline.generation.refine.value_or(true);
-  // Of extrapolation; interpolation takes kBackground.
+  // The fill of extrapolation; interpolation takes kBackground.
   DisocclusionFill fill = kPipeline.generation.fill.value_or(DisocclusionFill::kOwnMotion);
   DepthMeasure depth = kPipeline.generation.depth.value_or(DepthMeasure::kRelative);
   // false: a linear blend wherever depth agrees.
   bool brightness_gate = kPipeline.generation.brightness_gate.value_or(false);
-  // Takes quantisation out of the motion (runtime/motion_filter.h).
+  // Removes quantisation from the motion (runtime/motion_filter.h).
   bool motion_filter = kPipeline.generation.motion_filter.value_or(false);
   float motion_filter_limit = kGenerationMotionFilterLimit;  // MotionFilterOptions::limit
   WarpOptions warp;
@@ -82,29 +90,32 @@ class FrameGeneration {
   FrameGeneration(const FrameGenerationOptions& options, Executor& executor);
   ~FrameGeneration();
 
-  // The frame at `alpha` in (0, 1) between frame0 and frame1. If frame1 is a cut the nearer frame in time is shown. If
-  // frame0 is a cut its motion is not used: the motion is taken as linear. `out`: size of the options, RGBA8, RGBA16F or
-  // RGBA32F, which need not be the format of the colours; it overlaps no input; alpha channel 1.
+  // Makes the frame at `alpha` in (0, 1) between frame0 and frame1. If frame1 is a cut, the nearer
+  // frame in time is shown. If frame0 is a cut, the motion is linear. `out` has the size of the
+  // options and is RGBA8, RGBA16F or RGBA32F, whatever the format of the colours. It overlaps no
+  // input; its alpha becomes 1.
   void Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                    const MutableImageView& out);
 
-  // The frame at `alpha` in (0, 1) after frame1; frame0 gives its motion and depth alone and may have no colour.
+  // Makes the frame at `alpha` in (0, 1) after frame1. frame0 gives motion and depth alone and may
+  // have no colour.
   void Extrapolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                    const MutableImageView& out);
 
-  // Whether the two may be called with these; otherwise *why (if not null) says why not. A frame0 without colour data is fit for
-  // Extrapolate alone.
+  // Whether both functions accept these arguments; otherwise *why (if not null) gets the reason. A
+  // frame0 without colour data fits Extrapolate alone.
   bool IsGenerable(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                    const MutableImageView& out, std::string* why) const;
 
-  // New parameters and gate width from the next call on; both valid.
+  // Sets parameters and gate width, both valid, from the next call on.
   void SetParameters(const Parameters& parameters, float gate_width = 0);
 
-  // Of the last frame; all 0 where a source was shown as it is. Tiles are disoccluded where at some pixels nothing arrived, or what did
-  // was replaced. With options.reference the warps are not counted.
+  // Counts the tiles of the last frame; all are 0 if a source was shown as it is. A tile is
+  // disoccluded if some of its pixels had no arrival or a replaced one. options.reference does not
+  // count warps.
   FrameTiles Tiles() const;
 
-  // Bytes of all buffers; those that the options have no use for are not there.
+  // Bytes of all buffers. Buffers without use for these options are not allocated.
   std::size_t MemoryBytes() const;
 
  private:

@@ -1,4 +1,4 @@
-// What the tiles of one frame had in common, and so what the passes left out.
+// Counts of a frame's tiles by kind: the work that the passes left out.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@ namespace WARPLUT_PUBLIC warplut {
 
 struct FrameTiles {
   std::int64_t total = 0;  // tiles of the frame (runtime/motion_tiles.h)
-  // Tiles that were warped, by the kind of their motion: static and whole ones are copied, uniform ones have one set of weights.
-  // Interpolation warps two frames and counts both.
+  // Tiles that were warped, by the kind of their motion: static and whole ones are copied, uniform
+  // ones have one set of weights. Interpolation warps two frames and counts both.
   WarpStats warped;
   std::int64_t disoccluded =
       0;  // tiles with pixels whose source is not known; only these are searched or shown anew

@@ -1,7 +1,8 @@
-// The gates and the blend of the pipeline: one formula each, for float, for double and for derivative types.
+// The gates and the blend of the pipeline: one formula each, for float, for double and for
+// derivative types.
 //
-// A gate compares a difference with a threshold. Shipped gates are hard (width 0); calibration uses the same gates with
-// a finite width, as a hard gate is flat almost everywhere.
+// A gate compares a difference with a threshold. Shipped gates are hard (width 0). Calibration uses
+// the same gates with a finite width, as a hard gate is flat almost everywhere.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// 1 where x <= threshold, 0 beyond; with width w > 0 a ramp from 1 at threshold (1 - w) to 0 at threshold (1 + w).
-// A NaN x is beyond. threshold >= 0, w in [0, 1].
+// 1 where x <= threshold, 0 beyond; with width w > 0 a ramp from 1 at threshold (1 - w) to 0 at
+// threshold (1 + w). A NaN x is beyond. threshold >= 0, w in [0, 1].
 template <class T>
 T Gate(T x, T threshold, T width) {
   if (IsNan(x)) return T(0);
@@ -23,11 +24,13 @@ T Gate(T x, T threshold, T width) {
   return share > T(0) ? (share < T(1) ? share : T(1)) : T(0);
 }
 
-// Depths are at least 0, and at most this where they were infinite or NaN: differences of depths are numbers.
+// Depths are at least 0, and at most this where they were infinite or NaN: differences of depths
+// are numbers.
 inline constexpr float kFarthestDepth = 1e30f;
 
-// What a T_D is compared with. kAbsolute: the difference in units of the far plane (the paper's). kRelative: the difference
-// divided by the lesser depth, which stays meaningful where far depth is coarse. kNone: nothing is rejected.
+// The measure that T_D bounds. kAbsolute: the difference in units of the far plane (the paper's).
+// kRelative: the difference divided by the lesser depth, which stays meaningful where far depth is
+// coarse. kNone: nothing is rejected.
 enum class DepthMeasure : std::uint8_t { kNone, kAbsolute, kRelative };
 
 constexpr const char* Name(DepthMeasure measure) {
@@ -42,7 +45,8 @@ constexpr const char* Name(DepthMeasure measure) {
   return "";
 }
 
-// Signed difference a - b of two depths in [0, kFarthestDepth], in the units of the measure; 0 for kNone.
+// Signed difference a - b of two depths in [0, kFarthestDepth], in the units of the measure; 0 for
+// kNone.
 template <class T>
 T DepthDifference(DepthMeasure measure, T a, T b) {
   switch (measure) {
@@ -58,8 +62,8 @@ T DepthDifference(DepthMeasure measure, T a, T b) {
   return T(0);
 }
 
-// Share of one sample at `distance` (render pixels) from the pixel centre: w_s = max(0, 1 - b d). Paper, equation 2, kept
-// from becoming negative.
+// Share of one sample at `distance` (render pixels) from the pixel centre: w_s = max(0, 1 - b d).
+// Equation 2 of the paper, limited to 0 from below.
 template <class T>
 T SampleWeight(T b, T distance) {
   const T weight = T(1) - b * distance;
@@ -73,10 +77,12 @@ T BlendShare(T a, T mean_weight) {
   return share < T(1) ? share : T(1);
 }
 
-// Share of frame 1 in an interpolated pixel at time alpha in (0, 1): equation 1 of the paper. depth_difference is
-// DepthDifference(D0, D1); the farther frame is what was revealed.
-//   > T_D: frame 0;  < -T_D: frame 1;  else luma differs by no more than T_B: the nearer frame in time (frame 1 from
-//   alpha = 1/2 on);  else a linear blend.
+// Share of frame 1 in an interpolated pixel at time alpha in (0, 1): equation 1 of the paper.
+// depth_difference is DepthDifference(D0, D1); the farther frame shows the revealed background.
+//   depth_difference > T_D                 frame 0
+//   depth_difference < -T_D                frame 1
+//   |brightness_difference| <= T_B         the nearer frame in time (frame 1 from alpha = 1/2 on)
+//   else                                   a linear blend
 template <class T>
 T InterpolationShare(T depth_difference, T brightness_difference, T alpha, T depth_threshold,
                      T brightness_threshold, T width) {

@@ -1,4 +1,5 @@
-// The methods that the runtime offers: one registry that calibration, reports, benchmarks, the command line and the tests walk.
+// The methods of the runtime: one registry for calibration, reports, benchmarks, the command line
+// and the tests.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +13,11 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// What a method makes of rendered frames. Generated frames lie between two rendered ones (interpolation) or after the later one
+// Frames that a method generates: between two rendered ones (interpolation) or after the later one
 // (extrapolation), on the grid of their sources.
 enum class Generation : std::uint8_t { kNone, kInterpolation, kExtrapolation };
 
-// How a generated frame is made; kRepeat and kAverage are baselines that know no motion.
+// The maker of generated frames; kRepeat and kAverage are baselines without motion.
 enum class Generator : std::uint8_t { kWarped, kRepeat, kAverage };
 
 struct MethodInfo {
@@ -26,10 +27,11 @@ struct MethodInfo {
   Generation generation;
   Generator generator;
   bool paper;  // runs with kPaperParameters, whatever was calibrated
-  // Sets what the method asks for and leaves sizes, filter, formats and parameters alone. Null where it does not apply.
+  // Sets the choices of the method; leaves sizes, filter, formats and parameters alone. Null where
+  // it does not apply.
   void (*configure_super_resolution)(SuperResolutionOptions& options);
   void (*configure_generation)(FrameGenerationOptions& options);
-  // Which of kParameters its passes read, as indices.
+  // Indices of the kParameters that its passes read.
   std::span<const int> parameters;
 };
 

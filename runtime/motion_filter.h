@@ -1,11 +1,12 @@
-// Takes quantisation and noise out of the motion of what stands still.
+// Removes quantisation and noise from the motion of surfaces that stand still.
 //
-// The motion of a still point depends on the camera, its pixel and its depth alone (runtime/camera_motion.h). The camera is
-// fitted to the frame's motion; where it explains a motion vector within `limit` the vector is replaced by the camera's, elsewhere
-// (moving objects) it is left as it is, to the bit. Per axis,
+// The motion of a still point depends on the camera, its pixel and its depth alone
+// (runtime/camera_motion.h). The camera is fitted to the frame's motion. A vector that it explains
+// within `limit` is replaced by the camera's. Other vectors (moving objects) keep their bits. Per
+// axis,
 //   limit = min(options.limit, kNoiseToLimit * median |input motion - camera's motion|),
-// so that the pass measures the noise itself: exact motion is as good as unchanged, and motion that no
-// camera explains is changed by options.limit at most. Subnormals count as zero
+// so that the pass measures the noise itself. Exact motion is as good as unchanged, and motion that
+// no camera explains changes by options.limit at most. Subnormals count as zero
 // (runtime/float_environment.h).
 #pragma once
 
@@ -18,8 +19,8 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// Safeguards above the bound by the noise, which decides wherever it is less: for super resolution, and for frames that others are
-// generated between, which move farther (2 did better than 1 there: docs/GENERATION.md).
+// Largest limits, in pixels, for super resolution and for frame generation, whose frames move
+// farther. The bound by the noise decides wherever it is less.
 inline constexpr float kMotionFilterLimit = 4;
 inline constexpr float kGenerationMotionFilterLimit = 2;
 
@@ -35,8 +36,9 @@ class MotionFilter {
   // Allocates every buffer; the size and the options must be valid.
   MotionFilter(int width, int height, const MotionFilterOptions& options);
 
-  // depth: R32F, treated as in RenderedFrame; motion, out: of one size with it; `out` may be `motion`. A vector that is not
-  // finite is copied. Input is assumed to be checked. The same bits for any executor.
+  // depth is R32F, treated as in RenderedFrame. motion and out have its size; `out` may be
+  // `motion`. Vectors that are not finite are copied. Input is assumed to be checked. Any executor
+  // gives the same bits.
   void Apply(const ImageView& depth, const MotionView& motion, Executor& executor,
              const MutableMotionView& out);
 

@@ -1,4 +1,4 @@
-// What the motion of a tile has in common. Tiles are kTileWidth x kTileHeight pixels from the upper
+// Kinds of motion of a tile. Tiles are kTileWidth x kTileHeight pixels from the upper
 // left; those at the right and lower edge may be smaller.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The calibrated numbers of the pipeline: one table that the pipeline, the calibration, the command line and the tests
-// share. What is a choice and not a number stands in the options of the methods.
+// The calibrated numbers of the pipeline: one table for the pipeline, the calibration, the command
+// line and the tests. Choices that are no numbers stand in the options of the methods.
 #pragma once
 
 #include <array>
@@ -19,14 +19,15 @@ struct Parameters {
 
   bool operator==(const Parameters&) const = default;
 
-  // Whether every value lies in its range; otherwise *why (if not null) names the first that does not, with its range.
+  // Whether every value lies in its range; otherwise *why (if not null) names the first one
+  // outside, with its range.
   bool IsValid(std::string* why = nullptr) const;
 };
 
 struct ParameterInfo {
   const char* name;  // as in files and on the command line
   float Parameters::*member;
-  float min, max;    // what IsValid accepts, and where calibration searches
+  float min, max;    // range of IsValid and of the search of calibration
   bool logarithmic;  // calibration moves in its logarithm (min > 0)
   const char* meaning;
 };
@@ -35,7 +36,7 @@ inline constexpr std::array<ParameterInfo, 6> kParameters = {{
     {"sr_depth_threshold", &Parameters::sr_depth_threshold, 1e-4f, 4.0f, true,
      "history is rejected where depth differs by more, super resolution"},
     {"generation_depth_threshold", &Parameters::generation_depth_threshold, 1e-4f, 4.0f, true,
-     "the farther frame is what was revealed where depth differs by more, frame generation"},
+     "the farther frame was revealed where depth differs by more, frame generation"},
     {"brightness_threshold", &Parameters::brightness_threshold, 1e-3f, 1.0f, true,
      "the nearer frame is taken where luma differs by no more, interpolation"},
     {"blend_a", &Parameters::blend_a, 0.02f, 8.0f, true,
@@ -46,14 +47,8 @@ inline constexpr std::array<ParameterInfo, 6> kParameters = {{
      "half width of the variance box in standard deviations, super resolution"},
 }};
 
-// The index in kParameters of that name, or -1.
-int FindParameter(const std::string& name);
-
-// All names, with commas between.
-std::string ParameterNames();
-
-// The constants that the paper prints (Mob-FGSR, section 5); T_D is absolute there, in units of the far plane. It has no
-// variance box.
+// The constants of the paper (Mob-FGSR, section 5). Its T_D is absolute, in units of the far plane.
+// It has no variance box.
 inline constexpr Parameters kPaperParameters = {.sr_depth_threshold = 0.0028f,
                                                 .generation_depth_threshold = 0.0028f,
                                                 .brightness_threshold = 0.13f,

@@ -1,5 +1,6 @@
-// kPipeline, the configuration that this build is compiled with: WARPLUT_PIPELINE_HEADER names the header that defines it. All code that
-// includes the runtime is compiled with the same one; what is not does not link.
+// kPipeline, the configuration of this build. WARPLUT_PIPELINE_HEADER names the header that defines
+// it; all code that includes the runtime is compiled with the same one. Code that is not does not
+// link.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +39,7 @@ constexpr bool Contains(const std::optional<T>& choice, T value) {
   return !choice.has_value() || *choice == value;
 }
 
-// What a choice comes to: the only value that the build contains, or what is asked for at run time.
+// The effective value of a choice: the only one that the build contains, or the one of run time.
 template <class T>
 constexpr T Choose(const std::optional<T>& choice, T at_run_time) {
   return choice.value_or(at_run_time);

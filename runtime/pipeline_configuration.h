@@ -1,5 +1,5 @@
-// What a build of the runtime contains. `warplut profile` writes one of these for a content as PIPELINE.h; docs/CONFIGURE.md tells how to
-// compile with it.
+// The parts of a build of the runtime. `warplut profile` writes one as PIPELINE.h for a content;
+// docs/CONFIGURE.md shows how to compile with it.
 //
 // A header of one's own defines warplut::kPipeline and nothing else:
 //
@@ -14,8 +14,9 @@
 //   };
 //   }  // namespace warplut
 //
-// A choice without a value is made at run time, by the options. A choice with a value is the only one that is compiled: the options start
-// with it, and their IsValid refuses another. The images are those of the full runtime with the same options, to the bit.
+// A choice without a value is made at run time, by the options. A choice with a value is the only
+// one that is compiled: the options start with it, and their IsValid refuses another. The images
+// are those of the full runtime with the same options, to the bit.
 #pragma once
 
 #include <cstdint>
@@ -66,7 +67,7 @@ struct PipelineConfiguration {
   bool extrapolation = true;     // FrameGeneration::Extrapolate
   bool reference = true;         // the plain version of every pass (options.reference)
 
-  // Of every warp: WarpOptions::filter and ::lookup.
+  // WarpOptions::filter and ::lookup of every warp.
   std::optional<Filter> filter = {};
   std::optional<Lookup> lookup = {};
 

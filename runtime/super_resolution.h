@@ -1,28 +1,38 @@
-// Super resolution: rendered frames with jitter -> frames on the output grid, by a history that a LUT warps.
+// Super resolution: rendered frames with jitter -> frames on the output grid, with a history that a
+// filter warps.
 //
-// Steps of one frame, for output pixel q with centre P (output pixels), s = output / render size in each axis:
-//   1. motion m and depth at q, from the render samples around P / s (edge-aware: bilinear inside surfaces, the nearest
-//      surface's at depth edges);
-//   2. q^w = history at P - m by the filter; valid where P - m is in the image, no cut, and the depth at q lies at most T_D behind
-//      the range of the 4 x 4 depths around P - m one frame ago (absolute measure: nor before it);
-//   3. q^w limited to the colour box at P, bilinear among those of the samples around it (each of its 3 x 3 samples); where history is partly valid (gate_width > 0) or
-//      not at all the rest is the current frame alone, interpolated at P with its jitter;
-//   4. the new samples enter, in one of three forms (docs/SUPER_RESOLUTION.md):
-//      kSample    q = share * mean(w s) / mean(w) + (1 - share) q^w, share = BlendShare(a, mean w) over the samples within one
-//                 render pixel: equation 2 of the paper in the form that keeps constants;
-//      kResidual  q = q^w + share * (bilinearly interpolated differences of the samples from what the warped history predicts
-//                 at their own positions, by Catmull-Rom); share = BlendShare(a, SampleWeight(b, distance of the nearest
-//                 sample));
-//      kAdaptive  the residual form, which passes by degrees into a blend with the current frame alone where the samples alias
-//                 (runtime/sr/aliasing.h). In all the share is multiplied by the validity of the history.
-//   Without history (first frame, cut, options.history false) step 2 finds nothing valid.
-//   With MotionUpsampling::kStatic steps 1 and 2 are left out: q^w is the history at P and valid; neither motion nor depth is read.
-// q is limited to [0, 1] before it is stored. In linear HDR all this is done in codes (runtime/color_encoding.h), and q is limited to the
-// brightest of the 4 x 4 samples around P, or to the code of kUnlimitedHdr if that is more.
+// Notation: s = output / render size in each axis; q an output pixel with centre P (output pixels);
+// sample (i, j) of the render grid lies at output position
+// ((i + 1/2 + jitter_x) s_x, (j + 1/2 + jitter_y) s_y).
 //
+// A frame takes four steps for each q (docs/SUPER_RESOLUTION.md):
+//   1. Geometry. Motion m and depth at q come from the render samples around P / s: bilinear inside
+//      surfaces, those of the nearest surface at depth edges.
+//   2. Prediction. q^w is the history at P - m, by the filter. It is valid where P - m lies in the
+//      image, there is no cut, and the depth at q lies at most T_D behind the range of the 4 x 4
+//      depths around P - m one frame ago. kAbsolute also rejects depth before that range.
+//   3. Limit. q^w is limited to the colour box at P, which is bilinear among the boxes of the
+//      samples around it; a sample's box is that of its 3 x 3 samples. Where history is not valid,
+//      or partly (gate_width > 0), the rest is the current frame alone, interpolated at P with its
+//      jitter.
+//   4. Update. The new samples enter in one of three forms:
+//        kSample    q = share * mean(w s) / mean(w) + (1 - share) q^w over the samples within one
+//                   render pixel, share = BlendShare(a, mean w): equation 2 of the paper in the
+//                   form that keeps constants.
+//        kResidual  q = q^w + share * r(P). r(P) is bilinear among the differences of the samples
+//                   from the warped history at their own positions (by Catmull-Rom);
+//                   share = BlendShare(a, SampleWeight(b, distance of the nearest sample)).
+//        kAdaptive  the residual form, which passes by degrees into a blend with the current frame
+//                   alone where the samples alias (runtime/sr/aliasing.h).
+//      Each share is multiplied by the validity of the history.
+//
+// Without history (first frame, cut, options.history false) step 2 finds nothing valid.
+// MotionUpsampling::kStatic leaves out steps 1 and 2: q^w is the history at P and valid, and
+// neither motion nor depth is read.
+// q is limited to [0, 1] before it is stored. In linear HDR all steps work on codes
+// (runtime/color_encoding.h), and q is limited to the brightest of the 4 x 4 samples around P, or
+// to the code of kUnlimitedHdr if that is more.
 // Subnormals are flushed to zero, in colour, depth and motion (runtime/float_environment.h).
-//
-// A sample (i, j) of the render grid lies at output position ((i + 1/2 + jitter_x) s_x, (j + 1/2 + jitter_y) s_y).
 #pragma once
 
 #include <cstddef>
@@ -43,11 +53,14 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// One rendered frame; all views on the render grid. Colour: RGBA8, RGBA16F or RGBA32F (alpha is ignored). Depth: R32F, view
-// depth in units of the far plane, >= 0; NaN, negative and infinite values count as kFarthestDepth. Motion: pixels of the
-// render grid, from the frame before to this one, without jitter; where a component is NaN or infinite there is no history.
-// In kDisplay a NaN or infinite colour channel counts as 0, what lies outside [0, 1] is limited to it; in kLinearHdr LimitHdr takes it. With
-// MotionUpsampling::kStatic depth and motion may be without data.
+// One rendered frame. All views are on the render grid.
+//   color   RGBA8, RGBA16F or RGBA32F; alpha is ignored. kDisplay: NaN and infinite channels count
+//           as 0, others are limited to [0, 1]. kLinearHdr: LimitHdr applies.
+//   depth   R32F: view depth in units of the far plane, >= 0. NaN, negative and infinite values
+//           count as kFarthestDepth.
+//   motion  pixels of the render grid, from the frame before to this one, without jitter. A pixel
+//           with a NaN or infinite component has no history.
+// With MotionUpsampling::kStatic depth and motion may be without data.
 struct RenderedFrame {
   ImageView color;
   ImageView depth;
@@ -57,16 +70,16 @@ struct RenderedFrame {
   bool cut = false;  // shares nothing with the frame before
 };
 
-// Defaults are those of kPipeline (runtime/pipeline.h) where the build contains one value alone.
+// Defaults are those of kPipeline (runtime/pipeline.h) for choices that the build fixes.
 struct SuperResolutionOptions {
   int render_width = 0, render_height = 0;
   int output_width = 0, output_height = 0;  // 1 to 4 times render, in each axis
   HistoryForm form = kPipeline.sr.form.value_or(HistoryForm::kAdaptive);
-  bool history = kPipeline.sr.history.value_or(true);  // false: every frame from itself alone
+  bool history = kPipeline.sr.history.value_or(true);  // false: each frame from itself alone
   ColorClamp clamp = kPipeline.sr.clamp.value_or(ColorClamp::kVariance);
   DepthMeasure depth = kPipeline.sr.depth.value_or(DepthMeasure::kRelative);
   MotionUpsampling motion = kPipeline.sr.motion.value_or(MotionUpsampling::kEdgeAware);
-  // Takes quantisation out of the motion (runtime/motion_filter.h).
+  // Removes quantisation from the motion (runtime/motion_filter.h).
   bool motion_filter = kPipeline.sr.motion_filter.value_or(false);
   CurrentFrame current = kPipeline.sr.current.value_or(CurrentFrame::kBilinear);
   WarpOptions warp;  // the filter of the history
@@ -74,13 +87,14 @@ struct SuperResolutionOptions {
   PixelFormat history_format = kPipeline.sr.history_format.value_or(PixelFormat::kRgba16F);
   ColorEncoding encoding = kPipeline.sr.encoding.value_or(ColorEncoding::kDisplay);
   Parameters parameters;
-  float gate_width = 0;    // of every gate, relative to its threshold, in [0, 1]; 0 is what ships
+  float gate_width = 0;    // width of every gate, relative to its threshold, in [0, 1]; 0 ships
   bool reference = false;  // run the plain version of every pass
 
   bool IsValid(std::string* why = nullptr) const;
 };
 
-// What frame generation needs beside the colour, on the output grid; views that stay valid until the next Process.
+// Depth and motion on the output grid, as frame generation needs them. The views end at the next
+// Process.
 struct OutputGeometry {
   ImageView depth;    // R32F, in [0, kFarthestDepth]
   MotionView motion;  // output pixels
@@ -91,30 +105,32 @@ struct OutputGeometry {
 
 class SuperResolution {
  public:
-  // Allocates every buffer that Process needs: Process itself allocates nothing. Options must be valid; executor outlives the
-  // object. The same bits for any executor.
+  // Allocates every buffer that Process needs. The options must be valid. The executor outlives the
+  // object; any executor gives the same bits.
   SuperResolution(const SuperResolutionOptions& options, Executor& executor);
   ~SuperResolution();
 
-  // The next frame. Not to be called by two threads at a time. Sizes must be those of the options and formats those of RenderedFrame (IsProcessable); `out` is RGBA8,
-  // RGBA16F or RGBA32F on the output grid, alpha is set to 1.
+  // Makes the next frame; allocates nothing. One thread calls it at a time. Sizes are those of the
+  // options, formats those of RenderedFrame; IsProcessable checks them. `out` is RGBA8, RGBA16F or
+  // RGBA32F on the output grid; its alpha becomes 1.
   void Process(const RenderedFrame& frame, const MutableImageView& out);
   bool IsProcessable(const RenderedFrame& frame, const MutableImageView& out,
                      std::string* why) const;
 
-  // Depth and motion of the last frame, upsampled as step 1 does (kStatic: kFarthestDepth and 0); motion is NaN where there is none.
-  // Computed on the first call after Process, whose buffers are allocated by the first call of all.
+  // Depth and motion of the last frame, upsampled as in step 1 (kStatic: kFarthestDepth and 0).
+  // Motion is NaN where there is none. The first call after Process computes them; the first call
+  // of all allocates their buffers.
   OutputGeometry Geometry();
 
   // Forgets the history: the next frame is treated as a cut.
   void Reset();
-  // New parameters and gate width from the next frame on; both valid.
+  // Sets parameters and gate width, both valid, from the next frame on.
   void SetParameters(const Parameters& parameters, float gate_width = 0);
 
-  // Of the last frame. Tiles are disoccluded where some of their history is not valid.
+  // Counts the tiles of the last frame. A tile is disoccluded if some of its history is not valid.
   FrameTiles Tiles() const;
 
-  // Bytes of all buffers; those that the options have no use for are not there.
+  // Bytes of all buffers. Buffers without use for these options are not allocated.
   std::size_t MemoryBytes() const;
 
  private:
