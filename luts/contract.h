@@ -1,4 +1,4 @@
-// The LUT contract: what trainer, baker and kernel agree on, and the only thing that they share.
+// The LUT contract: the layout that trainer, baker and kernel agree on, and all that they share.
 //
 // A table holds, for each of 32 x 32 sub-pixel offsets, the 16 weights of a 4 x 4 neighbourhood.
 //   offset   d = (dx, dy) in [0, 1)^2: the fraction of the sampled position, from the upper-left
@@ -49,7 +49,8 @@ constexpr double NodeOffset(int i) { return static_cast<double>(i) / kNodes; }
 template <class T>
 using Weights = std::array<T, kWeights>;
 
-// How a table stores its weights: integers q of a grid, weight = q / 2^FractionBits, in [-2, 2) in every format.
+// How a table stores its weights: integers q of a grid, weight = q / 2^FractionBits, in [-2, 2) in
+// every format.
 //   i16  int16 q, 14 fraction bits.
 //   f16  IEEE half, a multiple of 2^-11 (of 2^-10 above 1 in magnitude).
 //   i8   int8 q, 6 fraction bits.
@@ -89,13 +90,14 @@ constexpr std::size_t BytesPerWeight(TableFormat format) {
 }
 
 // How far a weight of row (0, 0) of a table with prefilter may be from the product of the side: two
-// units of the format. The middle weight closes the sum for the other eight and may be twice as far.
+// units of the format. The middle weight closes the sum for the other eight and may be twice as
+// far.
 constexpr double WholeOffsetTolerance(TableFormat format) {
   return 2.0 / (1 << FractionBits(format));
 }
 
-// A baked table: kTableValues weights in `format`. `data` is int16_t, uint16_t (bits of a half), int8_t
-// or float, and stays owned by whoever made it (a baked header has static storage).
+// A baked table: kTableValues weights in `format`. `data` is int16_t, uint16_t (bits of a half),
+// int8_t or float, and stays owned by whoever made it (a baked header has static storage).
 struct TableView {
   TableFormat format = TableFormat::kI16;
   const void* data = nullptr;

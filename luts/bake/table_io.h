@@ -1,4 +1,4 @@
-// Reading a table back, whatever file holds it.
+// Reads a table from any of its file formats.
 #pragma once
 
 #include <filesystem>
@@ -16,9 +16,10 @@ struct LoadedTable {
 };
 
 // Reads
-//   .json  a fit (format "warplut-fit"), quantised to `format`; or a baked table ("warplut-table"), as it is stored;
-//   .exr   the released layout (released_layout.h), resampled from offsets i / 31 to i / 32 (Resample) and quantised
-//          to `format`.
+//   .json  a fit (format "warplut-fit"), quantised to `format`; or a baked table ("warplut-table"),
+//          as it is stored;
+//   .exr   the released layout (released_layout.h), resampled from offsets i / 31 to i / 32
+//          (Resample) and quantised to `format`.
 // Anything else, and a file that breaks the contract, is an Error that names the file, what was
 // found and what was expected.
 LoadedTable LoadTable(const std::filesystem::path& path, TableFormat format = TableFormat::kI16);

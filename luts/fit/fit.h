@@ -1,4 +1,5 @@
-// A fit: what a training learned and how. The seam between train/ and the bakers, stored as JSON.
+// A fit: the result of a training and its provenance. The seam between train/ and the bakers,
+// stored as JSON.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +37,8 @@ struct FitScore {
   double ssim = 0;
 };
 
-// Whether `text` can name a fit, and what is generated from it: ASCII letters, digits and _, the first not a digit.
+// Whether `text` can name a fit, and what is generated from it: ASCII letters, digits and _, the
+// first not a digit.
 bool IsIdentifier(std::string_view text);
 
 // The most warps that a fit records, of a horizon or a score.
@@ -65,8 +67,8 @@ struct Fit {
   bool IsValid(std::string* why) const;
 };
 
-// Reads and checks a fit. An Error names the file, the field, what was found and what was expected; a fit of a
-// later version is refused.
+// Reads and checks a fit. An Error names the file, the field, what was found and what was expected;
+// a fit of a later version is refused.
 Fit ReadFit(const std::filesystem::path& path);
 
 // Writes atomically; the same fit gives the same bytes. An Error if it is not valid.

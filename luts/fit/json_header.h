@@ -1,4 +1,4 @@
-// What the JSON files of luts/ have in common: a size limit, a format name and a version.
+// Common parts of the JSON files of luts/: a size limit, a format name and a version.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@ inline constexpr int kTableVersion = 2;  // version 1 has no prefilter
 // Parses a file of at most kMaxJsonBytes; an Error names it.
 nlohmann::json ReadJson(const std::filesystem::path& path);
 
-// Takes the fields "format" and "version" and returns the version, in [oldest, newest]; an Error says what was found
-// and what was expected.
+// Takes the fields "format" and "version" and returns the version, in [oldest, newest]; an Error
+// says what was found and what was expected.
 int CheckHeader(JsonFields& fields, const char* format, int oldest, int newest);
 inline void CheckHeader(JsonFields& fields, const char* format, int version) {
   CheckHeader(fields, format, version, version);

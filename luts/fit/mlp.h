@@ -1,8 +1,9 @@
-// The MLP of resampling weights: offset (dx, dy) -> 16 raw values, neurons [16, 32, 64, 16], tanh between layers.
+// The MLP of resampling weights: offset (dx, dy) -> 16 raw values, neurons [16, 32, 64, 16], tanh
+// between layers.
 //
-// Parameters are one flat array; layer l holds its weights row-major ([out][in]) and then its biases. The input is
-// centred: (2 dx - 1, 2 dy - 1). What the raw values mean is the head's business (head.h).
-// Source: Mob-FGSR supplement, section 5 (layers and activation; the centring is ours).
+// Parameters are one flat array; layer l holds its weights row-major ([out][in]) and then its
+// biases. The input is centred: (2 dx - 1, 2 dy - 1). The head gives the raw values their meaning
+// (head.h). Source: Mob-FGSR supplement, section 5 (layers and activation; the centring is ours).
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// How far looked-up weights are from the exact ones: what storing and interpolating a table costs.
+// Errors of looked-up weights: the price of storing and interpolating a table.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,9 @@ struct LookupError {
 // them and so is the middle between two.
 inline constexpr int kErrorOffsets = 256;
 
-// The errors of every format and lookup, in that order, for the table of a valid fit: exact weights are the
-// head's in double, looked-up ones those of Table::At in float. An Error if the fit cannot be quantised.
+// The errors of every format and lookup, in that order, for the table of a valid fit: exact weights
+// are the head's in double, looked-up ones those of Table::At in float. An Error if the fit cannot
+// be quantised.
 std::vector<LookupError> MeasureLookupErrors(const Fit& fit);
 
 }  // namespace warplut

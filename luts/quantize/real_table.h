@@ -1,4 +1,4 @@
-// Weights on a grid of nodes, in double: what a table is before it is rounded.
+// Weights on a grid of nodes, in double: a table before it is rounded.
 #pragma once
 
 #include <functional>
@@ -44,14 +44,16 @@ RealTable Resample(const RealTable& table, int intervals);
 void CloseSum(Weights<double>* w, double dx, double dy);
 
 // Whether the contract wants weight k of node (ix, jy) to be 0: at the first (last) node of an axis
-// only the taps of the upper-left (lower-right) texel remain, with a prefilter also those beside it.
+// only the taps of the upper-left (lower-right) texel remain, with a prefilter also those beside
+// it.
 bool IsContractZero(bool prefiltered, int intervals, int ix, int jy, int k);
 
-// The tap index kx (or ky) that must have the weight of `tap` at node i of its axis: with a prefilter the
-// taps beside the texel of the first (last) node are alike; otherwise `tap` itself.
+// The tap index kx (or ky) that must have the weight of `tap` at node i of its axis: with a
+// prefilter the taps beside the texel of the first (last) node are alike; otherwise `tap` itself.
 int MirroredTap(bool prefiltered, int intervals, int i, int tap);
 
-// The largest difference between a weight and its image under one of the 8 symmetries of the square.
+// The largest difference between a weight and its image under one of the 8 symmetries of the
+// square.
 double Asymmetry(const RealTable& table);
 
 }  // namespace warplut

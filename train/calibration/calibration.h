@@ -1,13 +1,17 @@
-// Calibration: the parameters with the least loss of the runtime's own code, and what the data says about them.
+// Calibration: finds the parameters with the least loss of the runtime's own code, and their
+// accuracy.
 //
-// 1. From each start, Levenberg-Marquardt on gates of finite width, narrowed step by step (a hard gate is flat almost everywhere) until
-//    the point stays where it is;
-//    if no threshold is fitted, on the hard gates at once. Where the result is no better than the start, the start stays.
-// 2. A search without derivatives on the hard gates, which never accepts more loss; coarse from each start, fine from the best end.
-// 3. The loss profile of each parameter; a better point in it is polished as well.
-//    The best of all, by the loss on hard gates, is the optimum: never worse than any start, of which the paper's constants for what
-//    is fitted are one. What is not needed keeps the value of the base.
-// 4. What is kept lies between the optimum and the base (train/calibration/kept_point.h), no worse than any start either.
+// 1. Levenberg-Marquardt runs from each start, on gates of finite width that are narrowed step by
+//    step until the point stays. (A hard gate is flat almost everywhere.) Without thresholds to fit
+//    it runs on the hard gates at once. A result that is no better than its start gives way to the
+//    start.
+// 2. A search without derivatives runs on the hard gates and never accepts more loss. It is coarse
+//    from each start, fine from the best end.
+// 3. Each parameter gets a loss profile; a better point in it is polished as well. The best point
+//    of all, by the loss on hard gates, is the optimum. It is never worse than any start; the
+//    paper's constants are one. A parameter that is not needed keeps the value of the base.
+// 4. The kept point lies between the optimum and the base (train/calibration/kept_point.h). It is
+//    no worse than any start either.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +28,8 @@
 namespace warplut {
 
 struct CalibrationProgress {
-  double fraction = 0;  // of the work, roughly
-  int runs = 0;         // of the pipeline
+  double fraction = 0;  // share of the work done, roughly
+  int runs = 0;         // runs of the pipeline so far
   double loss = 0;      // the best so far
 };
 
@@ -39,21 +43,21 @@ struct CalibrationOptions {
   bool near_base = true;   // false: the optimum is kept as it is
   std::filesystem::path checkpoint;  // empty: none
   bool resume = false;               // from `checkpoint`
-  std::string data;                  // names what the residuals hang on, for the checkpoint
+  std::string data;                  // identifies the input of the residuals, for the checkpoint
   std::function<bool(const CalibrationProgress&)> progress;  // before every run; false interrupts
 
   bool IsValid(std::string* why = nullptr) const;
 
-  // What decides the result, as one line of text.
+  // All options that decide the result, as one line of text.
   std::string Identity() const;
 };
 
-// Where a start led.
+// The end that the search reached from a start.
 struct CalibrationStart {
   std::string name;  // "default", "paper", "random 1", ...
   Candidate from, to;
-  // Index in CalibrationResult::optima; -1 where the search got stuck (on a plateau, for example): no ridge lies between its end
-  // and an optimum, but its loss is larger by more than kSameLoss.
+  // Index in CalibrationResult::optima; -1 where the search got stuck (on a plateau, for example):
+  // no ridge lies between its end and an optimum, but its loss is larger by more than kSameLoss.
   int optimum = -1;
   bool downhill =
       false;  // the search ended where the optimum was in sight: the loss falls evenly towards it
@@ -69,13 +73,13 @@ struct CalibratedParameter {
   bool profiled = false;                 // the profile is complete
   Profile profile;
 
-  // The loss does not hang on it: its pass is a candidate for being left out.
+  // Whether the loss does not depend on it. Its pass is then a candidate for being left out.
   bool NotNeeded() const { return profiled && profile.Flat(); }
 };
 
 struct CalibrationResult {
   Candidate best;           // the least loss
-  Candidate kept;           // what is to be used
+  Candidate kept;           // the point to use
   double kept_error = 0;    // standard error of the loss kept minus the least
   double default_loss = 0;  // of CalibrationOptions::base
   double paper_loss = 0;    // of kPaperParameters
@@ -90,14 +94,15 @@ struct CalibrationResult {
   RunLog::Stop stop = RunLog::Stop::kNone;
 };
 
-// Two ends of the search belong together if midway between them the loss is larger than at the worse one by no more than
-// kRidge; they are the same optimum if, besides, their losses differ by no more than kSameLoss.
+// Two ends of the search belong together if midway between them the loss is larger than at the
+// worse one by no more than kRidge; they are the same optimum if, besides, their losses differ by
+// no more than kSameLoss.
 inline constexpr double kRidge = 1e-4;
 inline constexpr double kSameLoss = 1e-4;
 
-// Minimises 1/2 sum of r^2 of `function`. Options must be valid. When it is interrupted the checkpoint is written and the result is
-// the best so far (stop says so); after a time limit as well, and `complete` parts only are filled. The checkpoint is left to
-// the caller. Error: as RunLog.
+// Minimises 1/2 sum of r^2 of `function`. The options must be valid. An interruption or a time
+// limit writes the checkpoint and returns the best point so far; `stop` tells which, and only
+// complete parts are filled. The caller removes the checkpoint. Errors are those of RunLog.
 CalibrationResult Calibrate(const CalibrationOptions& options, ResidualFunction& function);
 
 }  // namespace warplut

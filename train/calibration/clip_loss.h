@@ -1,4 +1,4 @@
-// The loss that parameters cause: 1 - SSIM of what the runtime shows of clips.
+// The loss of parameters: 1 - SSIM of the frames that the runtime shows of clips.
 #pragma once
 
 #include <map>
@@ -20,14 +20,16 @@ struct ClipRun {
   ModeRunOptions options;
 };
 
-// The mean over methods of the mean over clips of the mean over judged frames of 1 - SSIM of luma. Judged are the generated frames of
-// methods that generate and all but the first frame of the others (a first frame has no history), where there is a
-// reference. One residual for each run and tile, sqrt(2 weight (1 - SSIM)) with SSIM the mean over the tile and the frames: frames
-// show the same things again, so they are no data of their own.
+// The mean over methods of the mean over clips of the mean over judged frames of 1 - SSIM of luma.
+// Judged are the generated frames of methods that generate and all but the first frame of the
+// others (a first frame has no history), where there is a reference. One residual for each run and
+// tile, sqrt(2 weight (1 - SSIM)) with SSIM the mean over the tile and the frames: frames show the
+// same things again, so they are no data of their own.
 class ClipLoss final : public ResidualFunction {
  public:
-  // The executor outlives the object; the residuals do not depend on it. Error: no run, a method that the paper's constants
-  // are part of, a run that cannot be made (ModeRunOptions::IsValid), images too small for the SSIM window, no judged frame.
+  // The executor outlives the object; the residuals do not depend on it. Error: no run, a method
+  // that the paper's constants are part of, a run that cannot be made (ModeRunOptions::IsValid),
+  // images too small for the SSIM window, no judged frame.
   ClipLoss(std::vector<ClipRun> runs, Executor& executor);
   ~ClipLoss() override;
 

@@ -1,4 +1,4 @@
-// How the loss depends on one parameter while the others stay.
+// The loss as a function of one parameter while the others stay.
 #pragma once
 
 #include <vector>
@@ -23,13 +23,13 @@ struct Profile {
   bool Flat() const { return Spread() < kFlatProfile; }
 };
 
-// The values of a profile: kProfileSteps + 1 over the whole range, evenly spaced in the coordinate, and those at kProfileFactors
-// of the centre.
+// The values of a profile: kProfileSteps + 1 over the whole range, evenly spaced in the coordinate,
+// and those at kProfileFactors of the centre.
 inline constexpr int kProfileSteps = 6;
 inline constexpr double kProfileFactors[] = {0.5, 0.8, 1.0, 1.25, 2.0};
 
-// The profile of coordinate i of the space through `centre`. If a point is better than the centre, *better (may be null) becomes
-// the best one. Fewer points if the log stops.
+// The profile of coordinate i of the space through `centre`. If a point is better than the centre,
+// *better (may be null) becomes the best one. Fewer points if the log stops.
 Profile ProfileOf(RunLog& log, const SearchSpace& space, int i, const Candidate& centre,
                   Candidate* better);
 

@@ -1,4 +1,4 @@
-// What a calibration minimises.
+// The function that a calibration minimises.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,12 @@ class ResidualFunction {
 
   virtual std::size_t Size() const = 0;  // number of residuals, at least 1
 
-  // What residual k comes from, a clip for example: residuals of one source are not independent of each other.
+  // What residual k comes from, a clip for example: residuals of one source are not independent of
+  // each other.
   virtual int Source(std::size_t k) const { return static_cast<int>(k); }
 
-  // Parameters are valid, gate_width is in [0, 1] (runtime/gates.h), residuals has Size() elements. An Error if it cannot be
-  // evaluated at all.
+  // Parameters are valid, gate_width is in [0, 1] (runtime/gates.h), residuals has Size() elements.
+  // An Error if it cannot be evaluated at all.
   virtual void Evaluate(const Parameters& parameters, float gate_width,
                         std::span<double> residuals) = 0;
 };

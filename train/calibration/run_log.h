@@ -1,4 +1,4 @@
-// The runs of the pipeline that a calibration makes: counted, remembered, and kept in a file for whoever goes on.
+// The runs of the pipeline of a calibration: counted, remembered, and kept in a file for going on.
 #pragma once
 
 #include <array>
@@ -23,13 +23,15 @@ struct RunLogOptions {
   std::function<bool()> go_on;  // asked before every run; may be empty
 };
 
-// A search that asks for the same runs in the same order gets the same answers, whether they come from the log or from the
-// pipeline: to go on after an interruption is to search again with the log that was kept.
+// A search that asks for the same runs in the same order gets the same answers, whether they come
+// from the log or from the pipeline: to go on after an interruption is to search again with the log
+// that was kept.
 class RunLog {
  public:
   enum class Stop : std::uint8_t { kNone, kAsked, kTime };
 
-  // Error: a checkpoint that is damaged, was made for another calibration, or whose first run does not give the same bits again.
+  // Error: a checkpoint that is damaged, was made for another calibration, or whose first run does
+  // not give the same bits again.
   RunLog(ResidualFunction& function, RunLogOptions options);
 
   // Residuals of the parameters at a gate width; null once stopped. Valid as long as the log.

@@ -1,5 +1,5 @@
-// Values of an image between its pixels: what a sample of the continuous scene would see that the
-// image shows, if it shows all of its detail.
+// Values of an image between its pixels: those of samples of the continuous scene, if the image
+// shows all detail of the scene.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What a training needs to go on after its last complete stage.
+// The state of a training after its last complete stage, for going on.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ struct Checkpoint {
 // Writes atomically, as JSON; doubles keep all their bits.
 void WriteCheckpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-// Reads one for a training with so many parameters. An Error names what is damaged, or says that it was made for
-// another training.
+// Reads one for a training with so many parameters. An Error names what is damaged, or says that it
+// was made for another training.
 Checkpoint ReadCheckpoint(const std::filesystem::path& path, const std::string& made_for,
                           std::size_t parameters);
 

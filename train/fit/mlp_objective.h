@@ -1,5 +1,5 @@
-// What the optimizers minimise: an objective and the bound on gain, as a function of the parameters
-// of a resampler (train/fit/resampler_model.h).
+// The function that the optimizers minimise: an objective and the bound on gain, as a function of
+// the parameters of a resampler (train/resampler_model.h).
 //
 //   J(theta) = L(w(theta)) + f P(w(theta)), f the factor of the penalty
 #pragma once
@@ -42,9 +42,9 @@ class MlpObjective final : public ParameterFunction {
   std::int64_t evaluations_ = 0;
 };
 
-// Random starting parameters of the MLP: layers uniform with variance 2 / (in + out) (Glorot and Bengio 2010),
-// the last one scaled by kLastLayerScale so that the start lies near the head's base kernel; biases
-// 0.
+// Random starting parameters of the MLP: layers uniform with variance 2 / (in + out)
+// (Glorot and Bengio 2010), the last one scaled by kLastLayerScale so that the start lies near the
+// head's base kernel; biases 0.
 std::vector<double> RandomParameters(std::uint64_t seed);
 
 inline constexpr double kLastLayerScale = 0.1;

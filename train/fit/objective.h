@@ -1,4 +1,4 @@
-// What a training minimises: the losses of many rollouts, compared with what simple kernels lose.
+// The loss of a training: the losses of many rollouts, relative to those of simple kernels.
 //
 // A protocol i is a kind of offsets (half, random, pan) and a number of warps N; l_i(w) is the mean
 // of 1 - SSIM after N steps with the resampler w, over crops and trajectories. With a baseline b_i
@@ -7,8 +7,8 @@
 //   L(w) = sum over k of q_k M(k)
 //   M(k) = ( mean over the protocols of kind k of (l_i / b_i)^p )^(1/p)
 //
-// The larger p, the more the protocol counts in which w does worst against its baseline; L < 1
-// means better than the baselines. Baselines are at least kLeastBaseline: content that no filter
+// With a larger p the protocol counts more in which w does worst against its baseline. L < 1 means
+// better than the baselines. Baselines are at least kLeastBaseline: content that no filter
 // disturbs (constant images) has L = 0 and no gradient.
 #pragma once
 
@@ -25,8 +25,8 @@ namespace warplut {
 // What is lost by rounding alone has no say in an objective.
 inline constexpr double kLeastBaseline = kSsimAccuracy;
 
-// A rollout, the crop that it should end as, and the first of the consecutive protocols that judge it,
-// one for each horizon.
+// A rollout, the crop that it should end as, and the first of the consecutive protocols that judge
+// it, one for each horizon.
 struct JudgedRollout {
   Rollout rollout;
   std::size_t crop = 0;

@@ -1,12 +1,12 @@
-// Which prefilter a training moves, and how free numbers become one.
+// The prefilter of a training, as a function of free numbers.
 //
 //   none       no number
 //   fixed      recursive, of a given side: no number
-//   recursive  u: s = a + (b - a) / (1 + exp(-u)), a = kLeastSide, b the largest side asked for: the
-//              pole stays inside the unit circle whatever u is
+//   recursive  u: s = a + (b - a) / (1 + exp(-u)), a = kLeastSide, b the largest side asked for:
+//              the pole stays inside the unit circle whatever u is
 //   fir        u as above, then t_1 ... t_reach; t_0 = 1 - 2 (t_1 + ... + t_reach)
 //
-// One pole per axis is all that there can be: the 16 taps at whole offsets are (s, 1 - 2 s, s) in
+// More than one pole per axis is impossible: the 16 taps at whole offsets are (s, 1 - 2 s, s) in
 // each axis, and the inverse of these has one pair of poles, z and 1 / z.
 #pragma once
 

@@ -1,5 +1,5 @@
-// What a training moves and an objective judges: the weights of the canonical nodes, and the
-// prefilter that they read through.
+// The subject of a training and an objective: the weights of the canonical nodes, and the prefilter
+// that they read through.
 #pragma once
 
 #include "luts/prefilter.h"
@@ -7,8 +7,8 @@
 
 namespace warplut {
 
-// As a gradient it holds the derivatives with respect to the same numbers: side and taps, each taken
-// to be independent of the others and of the weights.
+// As a gradient it holds the derivatives with respect to the same numbers: side and taps, each
+// taken to be independent of the others and of the weights.
 struct Resampler {
   Resampler() = default;
   // Without prefilter where none is given.

@@ -1,4 +1,4 @@
-// The closed-form filters that a training must beat, and what they lose: the baselines of objectives.
+// The closed-form filters that a training must beat, and their losses: the baselines of objectives.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ struct Rival {
   std::vector<double> losses;  // Objective::Losses
 };
 
-// The Keys kernels of train/fit/keys_search.h, or with `largest_side` > 0 kRivalSplines cubic splines with
-// their exact prefilters, of sides evenly spaced up to that one.
+// The Keys kernels of train/keys_search.h, or with `largest_side` > 0 kRivalSplines cubic splines
+// with their exact prefilters, of sides evenly spaced up to that one.
 std::vector<Rival> JudgeRivals(const Objective& objective, double largest_side);
 
 inline constexpr int kRivalSplines = 8;

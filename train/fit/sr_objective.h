@@ -1,4 +1,4 @@
-// Objective `sr`: what is left to wish for when a LUT warps the history of super resolution.
+// Objective `sr`: the loss of a table that warps the history of super resolution.
 //
 // A crop is the reference, standing for a scene that shows the crop's detail and no more
 // (train/fit/band_limited.h), and moves as a whole along a trajectory. Frame 0 is its samples at jitter
@@ -8,19 +8,19 @@
 //
 //   h = W(d_t) P x_(t-1)    x_t = h + share (I (S_t - B h))
 //
-// P is the prefilter, where there is one. At a horizon the displacements add up to zero, so that x_t should be the crop: an exact
-// reference. The shortest horizons judge how the loop settles, the longest what it settles to. The
-// jitter is that of datasets/jitter.h, f is drawn for each rollout. A sample beyond the crop sees
-// its repeated edge, which the judged part does not reach.
+// P is the prefilter, where there is one. At a horizon the displacements add up to zero, so that
+// x_t should be the crop: an exact reference. The shortest horizons judge the settling of the loop,
+// the longest the settled loop. The jitter is that of datasets/jitter.h, f is drawn for each
+// rollout. A sample beyond the crop sees its repeated edge, which the judged part does not reach.
 //
-// Aliasing: a renderer's sample is a point of the scene, where a pixel of the crop C is a mean over
-// a filter. What it has more than the crop's value at its position p is modelled as noise of the
-// size of the detail there, drawn for each sample of each frame, zero in the mean:
+// Aliasing: a renderer's sample is a point of the scene; a pixel of the crop C is a mean over a
+// filter. The excess of a sample over the crop's value at its position p is modelled as noise of
+// the size of the detail there, drawn for each sample of each frame, zero in the mean:
 //
 //   S = C(p) + (C(p + e) - C(p - e)) / 2      e ~ N(0, aliasing^2) in each axis, output pixels
 //
-// (bilinear in the second term). Without it the history has nothing to average, and filters that are
-// too sharp for rendered frames win.
+// (bilinear in the second term). Without it the history has nothing to average, and filters that
+// are too sharp for rendered frames win.
 //
 // The form of train/fit/objective.h with the kinds random and pan (of kNodes steps, after which every
 // pan is back at the start), whose shares are 1 - q and q, and p = 1; the baseline of each protocol

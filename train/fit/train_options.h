@@ -1,4 +1,4 @@
-// What a training is told.
+// The options of a training.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace warplut {
 
-// What is minimised: repeated warps alone (warp_objective.h), or warps in the accumulation loop of
-// super resolution (sr_objective.h).
+// The loss: that of repeated warps alone (warp_objective.h), or of warps in the accumulation loop
+// of super resolution (sr_objective.h).
 enum class TrainObjective : std::uint8_t { kWarp, kSr };
 
 constexpr const char* Name(TrainObjective objective) {
@@ -25,7 +25,7 @@ constexpr const char* Name(Optimizer optimizer) {
   return optimizer == Optimizer::kLbfgs ? "lbfgs" : "adam";
 }
 
-// Which prefilter a training learns with the weights.
+// The prefilter that is trained with the weights.
 //   kNone    none: a table that weighs samples
 //   kSpline  that of the cubic spline with the least objective; the weights alone are trained
 //   kIir     recursive, trained
@@ -47,7 +47,7 @@ inline constexpr double kPlainPanShare = 0.08;
 // The share of pans in objective `sr`.
 inline constexpr double kSrPanShare = 0.3;
 
-// The aliasing of samples in objective `sr`, in output pixels; docs/TRAINING.md says from what.
+// The aliasing of samples in objective `sr`, in output pixels (docs/NOTES.md).
 inline constexpr double kSrAliasing = 1.5;
 
 // The work of one evaluation: crops times the longest horizon. More crops generalise better and
@@ -64,7 +64,7 @@ struct TrainOptions {
   // a and b of objective `sr`, in the ranges of runtime/parameters.h; empty: the defaults there.
   // Not for objective `warp`.
   std::optional<double> blend_a, blend_b;
-  // Of samples in objective `sr`, in [0, 4]; empty: kSrAliasing. Not for objective `warp`.
+  // Aliasing of samples in objective `sr`, in [0, 4]; empty: kSrAliasing. Not for objective `warp`.
   std::optional<double> aliasing;
   TrainPrefilter prefilter = TrainPrefilter::kIir;
   int fir_taps = 0;  // of kFir: odd, 3 to 15; otherwise 0
@@ -75,7 +75,7 @@ struct TrainOptions {
   int stages = kDefaultStages;
   int iterations = 0;     // per stage; 0: the optimizer's default
   double gain_bound = 0;  // largest |H| of any node and frequency; 0: DefaultGainBound
-  // Of pans in the objective, [0, 1): more keeps pans from drifting, see docs/TRAINING.md. Empty:
+  // Share of pans in the objective, [0, 1): a larger one keeps pans from drifting. Empty:
   // kPanShare, without prefilter kPlainPanShare, with objective `sr` kSrPanShare.
   std::optional<double> pan_share;
   int crops = 0;                     // 0: by the work above, at least kFewestCrops
@@ -87,25 +87,25 @@ struct TrainOptions {
   // The same with every 0 and empty list replaced by the default that it stands for.
   TrainOptions Resolved() const;
 
-  // What decides the result, as a JSON object on one line. Of resolved options.
+  // All options that decide the result, as a JSON object on one line. The options are resolved.
   std::string Json() const;
 };
 
-// "none", "spline", "iir" or "fir:N" of the options, and back: returns false and leaves them alone if
-// `text` is none of these. N is checked by TrainOptions::IsValid.
+// "none", "spline", "iir" or "fir:N" of the options, and back: returns false and leaves them alone
+// if `text` is none of these. N is checked by TrainOptions::IsValid.
 std::string PrefilterName(const TrainOptions& options);
 bool SetPrefilter(const std::string& text, TrainOptions* options);
 
 // The reach of kFir's taps; 0 for the others.
 constexpr int FirReach(const TrainOptions& options) { return options.fir_taps / 2; }
 
-// How many warps history lives through at factor `scale`: with the jitter cycle of P = 8 scale^2
-// frames (the rule of FSR 2), about 3/16 P, 3/8 P, 3/4 P and 2 P, even; 6, 12, 24 and 64 at
-// factor 2.
+// Numbers of warps to train for at factor `scale`. With the jitter cycle of P = 8 scale^2 frames
+// (the rule of FSR 2) they are about 3/16 P, 3/8 P, 3/4 P and 2 P, even; 6, 12, 24 and 64 at factor
+// 2.
 std::vector<int> DefaultHorizons(double scale);
 
-// The gain whose power at the longest horizon is kSafeGrowth (luts/certificate/certificate.h), less
-// kGrowthReserve of its logarithm for what the penalty lets through and what quantisation adds.
+// The gain whose power at the longest horizon is kSafeGrowth (luts/certificate.h), less
+// kGrowthReserve of its logarithm for the excess of the penalty and of quantisation.
 double DefaultGainBound(int longest_horizon);
 
 inline constexpr double kGrowthReserve = 0.1;

@@ -1,7 +1,7 @@
 // Trajectories of repeated warps: the protocols that filters are trained on and judged by.
 //
 // A trajectory is a list of displacements v in pixels, x right, y down; warp i replaces image x by
-// x(p - v[i]). What a filter does depends on the fraction of v alone; the whole part is chosen so
+// x(p - v[i]). A filter depends on the fraction of v alone. The whole part is chosen so
 // that the image stays within a pixel of where it began. At each horizon the displacements add up
 // to exactly zero, so that the image should then be the one that it began with: an exact reference.
 #pragma once

@@ -1,14 +1,14 @@
-// Objective `warp`: how much of an image repeated warps lose, compared with the best that a
-// closed-form filter does (train/fit/rivals.h): a Keys kernel, or a spline with a prefilter.
+// Objective `warp`: the loss of repeated warps relative to that of the best closed-form filter
+// (train/rivals.h): a Keys kernel, or a spline with a prefilter.
 //
 // The form of train/fit/objective.h with the kinds half, random and pan, whose shares are (1 - q) h,
 // (1 - q) (1 - h) and q. Exponents p are large, so that no horizon is bought with another.
-// Baselines are, on the same crops and trajectories: of splines, the best for that very protocol; of
-// Keys kernels, the best for random offsets, and for the others, and for the longest random horizon,
-// the kernel that is best for the longest half-pixel horizon, since one half-pixel node must serve
-// all of them. With `like` the filters are those that it found, and that of the longest half-pixel
-// horizon is measured on the crops at hand: how much better one is than another depends on the
-// content.
+// Baselines are, on the same crops and trajectories: of splines, the best for that very protocol;
+// of Keys kernels, the best for random offsets, and for the others, and for the longest random
+// horizon, the kernel that is best for the longest half-pixel horizon, since one half-pixel node
+// must serve all of them. With `like` the filters are those that it found, and that of the longest
+// half-pixel horizon is measured on the crops at hand: how much better one is than another depends
+// on the content.
 // Source of the loss: Mob-FGSR supplement, section 5; protocols, baselines and the power mean are
 // ours.
 #pragma once

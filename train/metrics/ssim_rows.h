@@ -1,4 +1,4 @@
-// What the SSIM kernels of every instruction set work on; internal to ssim.cpp.
+// Rows for the SSIM kernels of every instruction set; internal to ssim.cpp.
 #pragma once
 
 #include <cstddef>

@@ -31,30 +31,32 @@ struct Clip {
   std::string name;
   GridSize render, output;
   ColorEncoding encoding = ColorEncoding::kDisplay;
-  bool quantised_motion = false;  // what HasQuantisedMotion says, where it is asked
+  bool quantised_motion = false;  // HasQuantisedMotion, if it was asked for
   // Channels of linear colour that were above kLargestHdr or infinite, of `color` and of
   // `reference`.
   std::int64_t limited_color = 0, limited_reference = 0;
   std::vector<ClipFrame> frames;
 };
 
-// What of motion goes through the motion filter (runtime/motion_filter.h) before it is composed: the noise of quantisation adds up in what
-// is composed, and the filter finds the camera of one frame, not that of several.
+// The motion that goes through the motion filter (runtime/motion_filter.h) before it is composed.
+// The noise of quantisation adds up in composed motion, and the filter finds the camera of one
+// frame, not that of several.
 enum class MotionFiltering { kOff, kQuantised, kOn };
 
-// Loads the streams `which` of frames [first, first + count) by index. The motion of every frame is that from the frame `every`
-// before it in the sequence: composed along the frames between, so that a clip can be taken from every `every`-th frame; frames
-// that cannot be composed, as a cut lies between, are cuts. The first frame of a sequence is one,
-// whatever its motion: engines write 0 there, or the motion since a frame that was never shown.
-// Motion that is composed is filtered before, as `filtering` says
-// (kQuantised: where that of some frame is quantised); motion of one frame, every = 1, is left to the passes, which are told
-// by quantised_motion: kQuantised asks for it of the motion that they see. Linear colour beyond
-// kLargestHdr is what the runtime takes it for (LimitHdr), and counted. Errors as LoadFrame.
+// Loads the streams `which` of frames [first, first + count) by index. The motion of each frame
+// starts at the frame `every` before it in the sequence. It is composed along the frames between,
+// so that a clip can be taken from every `every`-th frame. A frame with a cut between is a cut.
+// With every > 1 motion is filtered before it is composed, as `filtering` says (kQuantised: if that
+// of some frame is quantised). With every == 1 motion is not filtered here; kQuantised sets
+// `quantised_motion` for the passes.
+// The first frame of a sequence is a cut, whatever its motion: engines write 0 there, or the motion
+// since a frame that was never shown. Linear colour beyond kLargestHdr is limited (LimitHdr) and
+// counted. Errors are those of LoadFrame.
 Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1,
               MotionFiltering filtering = MotionFiltering::kOff);
 
-// Whether the motion of some frame is quantised (train/replay/motion_step.h): that of the render grid, or of the output grid where
-// that is not loaded.
+// Whether the motion of some frame is quantised (train/motion_step.h): that of the render grid, or
+// of the output grid where that is not loaded.
 bool HasQuantisedMotion(const Clip& clip);
 
 }  // namespace warplut

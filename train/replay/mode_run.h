@@ -1,4 +1,5 @@
-// Runs a method of the registry over a clip, as a renderer would, and hands over every frame that it shows.
+// Runs a method of the registry over a clip, as a renderer would, and passes on every frame that it
+// shows.
 #pragma once
 
 #include <functional>
@@ -11,33 +12,36 @@
 
 namespace warplut {
 
-// Alphas lie this far from 0, 1 and each other: times are told apart to a thousandth.
+// The least distance of alphas from 0, 1 and each other: times have a resolution of a thousandth.
 inline constexpr float kAlphaStep = 0.001f;
 inline constexpr int kMostGenerated = 64;
 
 struct ModeRunOptions {
   const MethodInfo* method = nullptr;
-  // The clip's frames 0, every, 2 every, ... are rendered; the others are only there to judge by. The clip was loaded with
-  // the same `every`.
+  // The clip's frames 0, every, 2 every, ... are rendered; the others serve for judging alone. The
+  // clip was loaded with the same `every`.
   int every = 1;
   int generated = 1;          // frames between two rendered ones, at alpha = k / (generated + 1)
   std::vector<float> alphas;  // if not empty, these in place of `generated`: in (0, 1), ascending
-  // Of super-resolved frames; kRgba8 stands for kRgba16F where the clip is linear.
+  // Format of super-resolved frames; kRgba8 means kRgba16F if the clip is linear.
   PixelFormat shown_format = PixelFormat::kRgba8;
-  // Templates: filter, formats, motion filter, parameters, gate width. Sizes and encoding come from the clip, the rest from the method.
+  // Templates: filter, formats, motion filter, parameters, gate width. Sizes and encoding come from
+  // the clip, the rest from the method.
   SuperResolutionOptions super_resolution;
   FrameGenerationOptions generation;
   // Filters the motion of clips whose motion is quantised, whatever the templates say.
   bool filter_quantised_motion = false;
 
-  // Whether the method can run on this clip (its streams are there, sizes fit); otherwise *why says what is missing.
+  // Whether the method can run on this clip (its streams are there, sizes fit); otherwise *why says
+  // what is missing.
   bool IsValid(const Clip& clip, std::string* why = nullptr) const;
 };
 
 // Whether `generated` and `alphas` make sense, for any clip; part of IsValid.
 bool AreTimesValid(const ModeRunOptions& options, std::string* why = nullptr);
 
-// The streams that the method takes of a sequence that has `available`, whether it has them all or not.
+// The streams that the method takes of a sequence that has `available`, whether it has them all or
+// not.
 Streams NeededStreams(const MethodInfo& method, Streams available);
 
 // The name of a needed stream that a frame of the clip lacks, or null.
@@ -46,8 +50,8 @@ const char* MissingStream(const ClipFrame& frame, const Clip& clip, Streams need
 // The times of generated frames, as shares of the time between two rendered ones.
 std::vector<float> Alphas(const ModeRunOptions& options);
 
-// What RunMode gives to the runtime: the templates with the method's choices, the paper's parameters where it is the paper's,
-// and the clip's sizes and encoding.
+// The options that RunMode gives to the runtime: the templates with the choices of the method, the
+// paper's parameters for the paper's methods, and the clip's sizes and encoding.
 SuperResolutionOptions EffectiveSuperResolution(const Clip& clip, const ModeRunOptions& options);
 FrameGenerationOptions EffectiveGeneration(const Clip& clip, const ModeRunOptions& options);
 
@@ -62,10 +66,10 @@ struct ShownFrame {
 };
 using ShownFrameSink = std::function<void(const ShownFrame&)>;
 
-// Shows frames in the order of time. Generation alone (without super resolution) takes the references as its sources, or the
-// rendered frames where the clip has none. Every generated frame is followed by the rendered frame after it, save the last
-// extrapolated ones; extrapolation begins after the second rendered frame. Options must be valid. What the sink throws ends
-// the run.
+// Shows frames in the order of time. Generation alone (without super resolution) takes the
+// references as its sources, or the rendered frames if the clip has no references. A rendered frame
+// follows every generated one, except the last extrapolated ones. Extrapolation begins after the
+// second rendered frame. The options must be valid. An exception of the sink ends the run.
 void RunMode(const Clip& clip, const ModeRunOptions& options, Executor& executor,
              const ShownFrameSink& sink);
 
