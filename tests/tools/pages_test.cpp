@@ -26,8 +26,9 @@ class Pages : public testing::Test {
   }
   std::string Read(const std::string& name) const { return ReadFile(root_ / name); }
   void Copy(const std::string& script) const {
-    fs::create_directories(root_ / "tools");
-    fs::copy_file(kTools / script, root_ / ("tools/" + script));
+    const fs::path copy = root_ / ("tools/" + script);
+    fs::create_directories(copy.parent_path());
+    fs::copy_file(kTools / script, copy);
   }
   ProgramResult Run(const std::string& script, const std::vector<std::string>& arguments) const {
     return RunProgram(root_ / ("tools/" + script), arguments);
@@ -39,8 +40,8 @@ class Pages : public testing::Test {
 };
 
 TEST_F(Pages, TablesBetweenMarkersAreRewritten) {
-  Copy("update_tables.sh");
-  Copy("gains_table.awk");
+  Copy("measure/update_tables.sh");
+  Copy("measure/gains_table.awk");
   Write("README.md", "a\n<!-- table: gains -->\n<!-- end -->\nb\n");
   Write("docs/page.md", "<!-- table: other -->\nkept\n<!-- end -->\n");
   Write("docs/results/pipeline.md",
@@ -51,7 +52,7 @@ TEST_F(Pages, TablesBetweenMarkersAreRewritten) {
   Write("tables/quickstart-held-out.md",
         "| SSIM after | 24 half | 24 pan | 64 pan |\n|---|---:|---:|---:|\n"
         "| catmull-rom | 0.5 | 0.7 | 0.1 |\n| warplut_iir_x2 | 0.75 | 0.95 | 0.9 |\n");
-  const ProgramResult result = Run("update_tables.sh", {Root() + "/tables"});
+  const ProgramResult result = Run("measure/update_tables.sh", {Root() + "/tables"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(Read("docs/results/resampling.md"),
               testing::AllOf(HasSubstr("c\n"), HasSubstr("| 0.5 |"), HasSubstr("\nd\n"),

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Measures the pipeline and leaves the tables of docs/results/{pipeline,speed}.md for tools/update_tables.sh.
-# usage: tools/measure_pipeline.sh [--data DIR] OUT
+# Measures the pipeline and leaves the tables of docs/results/{pipeline,speed}.md for tools/measure/update_tables.sh.
+# usage: tools/measure/measure_pipeline.sh [--data DIR] OUT
 #   --data DIR   recorded sequences: each is judged with parameters that were calibrated on the others
 #                (default: $WARPLUT_DATA; without it only built-in scenes are measured)
 #   OUT          sequences, parameters and pictures; the tables go to OUT/tables

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the report on the built-in scenes and puts its tables and plots into docs/.
-# usage: tools/measure_report.sh [--quick] OUT
+# usage: tools/measure/measure_report.sh [--quick] OUT
 #   OUT   the report: OUT/index.html
 # The program is build/release/tools/warplut, or $WARPLUT.
 set -eu

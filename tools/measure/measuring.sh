@@ -13,7 +13,7 @@ if [ $# -ne 1 ]; then
 fi
 mkdir -p "$1/tables" "$1/params"
 out=$(cd "$1" && pwd)
-cd "$(dirname "$0")/.." || exit
+cd "$(dirname "$0")/../.." || exit
 warplut=${WARPLUT:-build/release/tools/warplut}
 
 # render_missing SCENE FOLDER OPTION...: renders a built-in scene to FOLDER/SCENE, if it is not there.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Rewrites the tables of README.md, docs/*.md and docs/results/*.md from the output of the commands that measure them.
-# usage: tools/update_tables.sh FOLDER
+# usage: tools/measure/update_tables.sh FOLDER
 #   FOLDER   holds one file NAME.md for each table to rewrite (quickstart.sh leaves its tables in OUT/tables)
 # The text between '<!-- table: NAME -->' and '<!-- end -->' is replaced. Tables without a file stay as they are.
 # The table 'gains' of README.md is made from the tables of docs/results.
@@ -46,5 +46,5 @@ rewrite "$tables" README.md docs/*.md docs/results/*.md
 
 summary=$(mktemp -d)
 trap 'rm -r "$summary"' EXIT
-awk -f tools/gains_table.awk docs/results/resampling.md docs/results/pipeline.md > "$summary/gains.md"
+awk -f tools/measure/gains_table.awk docs/results/resampling.md docs/results/pipeline.md > "$summary/gains.md"
 rewrite "$summary" README.md

@@ -3,7 +3,7 @@
 // With the head's residual scaled by t, which is to scale the last layer's parameters by t, the
 // weights are C + t (w - C), C the head's base: Catmull-Rom weights, whose gain is 1, or the spline
 // of the prefilter's side. The gain is convex in t: it is within the limit from 0 up to some
-// largest t. A trained FIR goes with t too, from the one of its side (train/spline_family.h): T + t
+// largest t. A trained FIR goes with t too, from the one of its side (train/fit/spline_family.h): T + t
 // (P - T).
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace warplut {
 
 // The gain that a fit must keep whose training was bound to `gain_bound`: kGrowthReserve
-// (train/train_options.h) was held back for this. With the default bound it is the gain whose power
+// (train/fit/train_options.h) was held back for this. With the default bound it is the gain whose power
 // at the longest horizon is kSafeGrowth.
 double LargestGain(double gain_bound);
 

@@ -1,5 +1,5 @@
 // The function that the optimizers minimise: an objective and the bound on gain, as a function of
-// the parameters of a resampler (train/resampler_model.h).
+// the parameters of a resampler (train/fit/resampler_model.h).
 //
 //   J(theta) = L(w(theta)) + f P(w(theta)), f the factor of the penalty
 #pragma once

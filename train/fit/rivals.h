@@ -12,7 +12,7 @@ struct Rival {
   std::vector<double> losses;  // Objective::Losses
 };
 
-// The Keys kernels of train/keys_search.h, or with `largest_side` > 0 kRivalSplines cubic splines
+// The Keys kernels of train/fit/keys_search.h, or with `largest_side` > 0 kRivalSplines cubic splines
 // with their exact prefilters, of sides evenly spaced up to that one.
 std::vector<Rival> JudgeRivals(const Objective& objective, double largest_side);
 

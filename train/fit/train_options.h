@@ -104,7 +104,7 @@ constexpr int FirReach(const TrainOptions& options) { return options.fir_taps / 
 // 2.
 std::vector<int> DefaultHorizons(double scale);
 
-// The gain whose power at the longest horizon is kSafeGrowth (luts/certificate.h), less
+// The gain whose power at the longest horizon is kSafeGrowth (luts/certificate/certificate.h), less
 // kGrowthReserve of its logarithm for the excess of the penalty and of quantisation.
 double DefaultGainBound(int longest_horizon);
 

@@ -1,5 +1,5 @@
 // Objective `warp`: the loss of repeated warps relative to that of the best closed-form filter
-// (train/rivals.h): a Keys kernel, or a spline with a prefilter.
+// (train/fit/rivals.h): a Keys kernel, or a spline with a prefilter.
 //
 // The form of train/fit/objective.h with the kinds half, random and pan, whose shares are (1 - q) h,
 // (1 - q) (1 - h) and q. Exponents p are large, so that no horizon is bought with another.

@@ -1,16 +1,16 @@
 #!/bin/sh
 # Runs the commands of docs/TUTORIAL.md in their order, leaves their output for
-# tools/update_tables.sh and makes the pictures of the page.
-# usage: tools/measure_tutorial.sh OUT
+# tools/measure/update_tables.sh and makes the pictures of the page.
+# usage: tools/measure/measure_tutorial.sh OUT
 #   OUT   the folder that the commands work in; the outputs go to OUT/tables
 # The program is build/release/tools/warplut, or $WARPLUT. A few minutes on two cores.
 set -eu
 
 if [ $# -ne 1 ]; then
-  echo "usage: tools/measure_tutorial.sh OUT" >&2
+  echo "usage: tools/measure/measure_tutorial.sh OUT" >&2
   exit 1
 fi
-root=$(cd "$(dirname "$0")/.." && pwd)
+root=$(cd "$(dirname "$0")/../.." && pwd)
 program=$(cd "$root" && realpath "${WARPLUT:-build/release/tools/warplut}")
 mkdir -p "$1/tables"
 cd "$1"
