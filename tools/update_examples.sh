@@ -26,7 +26,10 @@ for page in README.md docs/*.md; do
       count = 0
       while ((getline line < file) > 0) { print line; count++ }
       close(file)
-      if (count == 0) { print "update_examples.sh: " page " shows " file ", which is not there." > "/dev/stderr"; exit 1 }
+      if (count == 0) {
+        print "update_examples.sh: " page " shows " file ", which is not there." > "/dev/stderr"
+        exit 1
+      }
       print "```"
       inside = 1
       next

@@ -26,6 +26,7 @@ END {
   row("SSIM after 24 warps, against Catmull-Rom", mean24("catmull-rom"), mean24("warplut_iir_x2"), 3)
   row("SSIM after 24 warps, against the best closed form (spline)", mean24("spline:1/84"), mean24("warplut_iir_x2"), 3)
   row("PSNR of super resolution x2, against bilinear", recorded("bilinear"), recorded("sr"), 2)
-  row("PSNR of super resolution x2, the table against Catmull-Rom", filtered("catmull-rom"), filtered("warplut_iir_x2"), 2)
+  row("PSNR of super resolution x2, the table against Catmull-Rom",
+      filtered("catmull-rom"), filtered("warplut_iir_x2"), 2)
   row("PSNR of frames between two, against their average", recorded("average"), recorded("i"), 2)
 }

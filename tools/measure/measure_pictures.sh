@@ -10,13 +10,15 @@ set -eu
 
 # After 24 warps by half a pixel: original, Catmull-Rom, LUT.
 render_missing gallery "$out/images" --width 360 --height 204 --frames 1 --samples 16 --streams color,reference
-"$warplut" eval --images "$out/images/gallery" --lut luts/baked/warplut_iir_x2.json --warps 6 --pictures "$out/pictures" > /dev/null
+"$warplut" eval --images "$out/images/gallery" --lut luts/baked/warplut_iir_x2.json --warps 6 \
+  --pictures "$out/pictures" > /dev/null
 
 # Where methods err most and where most was just revealed.
 for scene in gallery harbour colonnade; do
   render_missing "$scene" "$out/sequences" --width 640 --height 360 --frames 9 --samples 16
 done
-"$warplut" eval --sequence "$out"/sequences/* --lut luts/baked/warplut_sr_x2.json --modes sr,i --pictures "$out/pictures" \
+"$warplut" eval --sequence "$out"/sequences/* --lut luts/baked/warplut_sr_x2.json --modes sr,i \
+  --pictures "$out/pictures" \
   | grep 'png: '
 
 # The table itself.

@@ -78,10 +78,12 @@ hdr() {
       if [ "$colour" = linear ]; then option=--linear; fi
       for scene in gallery colonnade; do
         # shellcheck disable=SC2086 # no option is no word
-        render_missing "$scene" "$out/scenes-$colour-$exposure" --exposure "$exposure" --width 480 --height 270 --frames 8 $option
+        render_missing "$scene" "$out/scenes-$colour-$exposure" --exposure "$exposure" \
+          --width 480 --height 270 --frames 8 $option
       done
       printf '%s, exposure %s:\n\n' "$colour" "$exposure" >> "$table.part"
-      "$warplut" eval --sequence "$out/scenes-$colour-$exposure"/* --modes sr,i,e,isr --lut "$lut" --markdown >> "$table.part"
+      "$warplut" eval --sequence "$out/scenes-$colour-$exposure"/* --modes sr,i,e,isr --lut "$lut" \
+        --markdown >> "$table.part"
     done
   done
   mv "$table.part" "$table"

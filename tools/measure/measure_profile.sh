@@ -25,7 +25,8 @@ profile() {
   sequence=$out/scenes-x$2/$3
   mode=$4
   shift 4
-  "$warplut" profile --sequence "$sequence" --mode "$mode" --out "$out/headers/$name.h" --markdown "$@" > "$out/$name.md"
+  "$warplut" profile --sequence "$sequence" --mode "$mode" --out "$out/headers/$name.h" --markdown "$@" \
+    > "$out/$name.md"
   if [ ! -f "$table.part" ]; then sed -n 1,2p "$out/$name.md" > "$table.part"; fi
   sed -n 3p "$out/$name.md" >> "$table.part"
 }
