@@ -47,6 +47,12 @@ inline constexpr std::array<ParameterInfo, 6> kParameters = {{
      "half width of the variance box in standard deviations, super resolution"},
 }};
 
+// The index in kParameters of that name, or -1.
+int FindParameter(const std::string& name);
+
+// All names, with commas between.
+std::string ParameterNames();
+
 // The constants of the paper (Mob-FGSR, section 5). Its T_D is absolute, in units of the far plane.
 // It has no variance box.
 inline constexpr Parameters kPaperParameters = {.sr_depth_threshold = 0.0028f,

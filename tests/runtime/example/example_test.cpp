@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "runtime/example/scene.h"
 #include "runtime/executor.h"
 #include "runtime/super_resolution.h"
 #include "runtime/warp.h"
+#include "scene.h"
 
 namespace warplut {
 namespace {
