@@ -151,4 +151,39 @@ void CreateFolder(const fs::path& path) {
   }
 }
 
+void RequireWritableFolder(const fs::path& folder) {
+  const auto fail = [&](const std::string& reason) {
+    throw Error(fmt::format("cannot write into '{}': {}", folder.string(), reason));
+  };
+  std::error_code error;
+  fs::path existing = fs::absolute(folder).lexically_normal();
+  while (!fs::exists(existing, error) && existing != existing.root_path()) {
+    // A path that passes through a file is neither there nor can it be made.
+    if (error && error != std::errc::no_such_file_or_directory) fail(error.message());
+    existing = existing.parent_path();
+  }
+  if (!fs::is_directory(existing)) {
+    fail(fmt::format("'{}' is not a folder", existing.string()));
+  }
+  const fs::path probe = TemporaryBeside(existing / "probe");
+  const Descriptor file(probe, O_WRONLY | O_CREAT | O_EXCL, 0600);
+  if (!file.ok()) {
+    fail(fmt::format("no file can be made in '{}' ({})", existing.string(),
+                     std::generic_category().message(errno)));
+  }
+  fs::remove(probe, error);
+}
+
+void RequireWritable(const fs::path& file) {
+  if (!file.has_filename() || fs::is_directory(file)) {
+    throw Error(
+        fmt::format("cannot write '{}': it is a folder; expected a file's name", file.string()));
+  }
+  try {
+    RequireWritableFolder(file.has_parent_path() ? file.parent_path() : fs::path("."));
+  } catch (const Error& e) {
+    throw Error(fmt::format("cannot write '{}': {}", file.string(), e.what()));
+  }
+}
+
 }  // namespace warplut

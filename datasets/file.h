@@ -25,4 +25,12 @@ std::string ReadFile(const std::filesystem::path& path,
 // Creates the folder and its parents; an Error names what could not be created.
 void CreateFolder(const std::filesystem::path& path);
 
+// Whether `file` could be written, once CreateFolder made its folder: for long work, before it begins. An Error
+// names `file` if it is a folder, if something that is no folder is in its path, or if the folder (of those that
+// exist, the nearest above it) takes no new file. Leaves nothing behind.
+void RequireWritable(const std::filesystem::path& file);
+
+// The same of files in `folder`.
+void RequireWritableFolder(const std::filesystem::path& folder);
+
 }  // namespace warplut

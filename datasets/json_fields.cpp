@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
+
+#include "datasets/file.h"
 
 namespace warplut {
 
@@ -10,6 +13,12 @@ using nlohmann::json;
 
 json ParseJson(const std::string& text, const std::string& file) {
   std::vector<std::set<std::string>> fields;  // of the objects that are open
+  std::string last;                           // field that was begun
+  const auto refuse_number = [&](const std::string& number) {
+    throw Error(fmt::format("'{}': field '{}' is {}; expected a number of at most {:g}, as all "
+                            "numbers of a file",
+                            file, last, number, kMaxJsonNumber));
+  };
   const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
     if (depth >= kMaxJsonDepth && (event == json::parse_event_t::object_start ||
                                    event == json::parse_event_t::array_start)) {
@@ -26,14 +35,46 @@ json ParseJson(const std::string& text, const std::string& file) {
         throw Error(fmt::format("'{}': field '{}' is there twice in one object; expected once",
                                 file, name));
       }
+      last = name;
+    } else if (event == json::parse_event_t::value && parsed.is_number_float() &&
+               !(std::abs(parsed.get<double>()) <= kMaxJsonNumber)) {
+      refuse_number(fmt::format("{:g}", parsed.get<double>()));
     }
     return true;
   };
   try {
     return json::parse(text, check);
+  } catch (const json::out_of_range&) {  // the one of a parser: a number that no double holds
+    refuse_number("too large for a double");
   } catch (const json::exception& e) {
     throw Error(fmt::format("'{}' is not JSON: {}", file, e.what()));
   }
+  return {};
+}
+
+json ReadJson(const std::filesystem::path& path, std::size_t max_bytes) {
+  return ParseJson(ReadFile(path, max_bytes), path.string());
+}
+
+std::string JsonText(const json& value, int indent) {
+  return value.dump(indent, ' ', false, json::error_handler_t::replace);
+}
+
+std::string JsonText(const nlohmann::ordered_json& value, int indent) {
+  return value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string RecordedName(const std::string& name) {
+  constexpr const char* kReplacement = "\xEF\xBF\xBD";
+  std::string line;
+  for (const char c : json::parse(JsonText(json(name))).get<std::string>()) {
+    if (static_cast<unsigned char>(c) < 32 || c == 127) {
+      line += kReplacement;
+    } else {
+      line += c;
+    }
+  }
+  return line;
 }
 
 double Decimal(float value) { return std::stod(fmt::format("{}", value)); }

@@ -219,7 +219,7 @@ std::string Lines(const Json& json) {
   std::string lines = object ? "{" : "[";
   const char* separator = "\n  ";
   for (const auto& [name, value] : json.items()) {
-    lines += separator + (object ? Json(name).dump() + ": " : "") + value.dump();
+    lines += separator + (object ? JsonText(Json(name)) + ": " : "") + JsonText(value);
     separator = ",\n  ";
   }
   return lines + (object ? "}" : "]");
@@ -239,10 +239,9 @@ Json StreamsJson(const Sequence& s) {
 }  // namespace
 
 Sequence ReadSequence(const std::filesystem::path& path) {
-  constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
   const auto manifest = std::filesystem::is_directory(path) ? path / Sequence::kManifest : path;
   const std::string file = manifest.string();
-  const nlohmann::json json = ParseJson(ReadFile(manifest, kMaxBytes), file);
+  const nlohmann::json json = ReadJson(manifest, kMaxManifestBytes);
 
   JsonFields root(json, JsonPlace(file, ""));
   TakeFixed(root, "format", Sequence::kFormat);
@@ -287,15 +286,15 @@ std::string SequenceJson(const Sequence& s) {
     separator = ",\n ";
   };
   const auto size = [](GridSize g) {
-    return Json{{"width", g.width}, {"height", g.height}}.dump();
+    return JsonText(Json{{"width", g.width}, {"height", g.height}});
   };
-  add("format", Json(Sequence::kFormat).dump());
+  add("format", JsonText(Json(Sequence::kFormat)));
   add("version", std::to_string(Sequence::kVersion));
-  add("name", Json(s.name).dump());
-  add("frames", Json{{"first", s.first}, {"count", s.count}}.dump());
+  add("name", JsonText(Json(s.name)));
+  add("frames", JsonText(Json{{"first", s.first}, {"count", s.count}}));
   add("render", size(s.render));
   add("output", size(s.output));
-  add("color_space", Json(NameOf(kColorSpaces, s.color_space)).dump());
+  add("color_space", JsonText(Json(NameOf(kColorSpaces, s.color_space))));
   add("streams", Lines(StreamsJson(s)));
   if (!s.jitter.empty()) {
     Json offsets = Json::array();
@@ -310,7 +309,7 @@ std::string SequenceJson(const Sequence& s) {
       cameras.push_back({{"view", c.view}, {"projection", c.projection}});
     add("camera", Lines(cameras));
   }
-  add("cuts", Json(s.cuts).dump());
+  add("cuts", JsonText(Json(s.cuts)));
   return text + "\n}\n";
 }
 

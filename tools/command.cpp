@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "datasets/json_fields.h"
+
 namespace warplut {
 
 void AddJsonOption(CLI::App& command, bool* json) {
@@ -17,7 +19,7 @@ void Print(std::string_view text) {
   }
 }
 
-void PrintJson(const Json& document) { Print(document.dump(2) + "\n"); }
+void PrintJson(const Json& document) { Print(JsonText(document, 2) + "\n"); }
 
 void RequireUsage(bool valid, const std::string& why) {
   if (!valid) throw UsageError(why);

@@ -53,6 +53,7 @@ ExitCode RunBake(const BakeArguments& arguments) {
   std::string why;
   RequireUsage(options.IsValid(&why), why);
 
+  RequireWritableFolder(arguments.out);
   const Fit fit = ReadFit(arguments.fit);
   const BakedFiles files = Bake(fit, options);
   const fs::path out = arguments.out;

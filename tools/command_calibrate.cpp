@@ -8,6 +8,7 @@
 #include <set>
 
 #include "datasets/file.h"
+#include "datasets/json_fields.h"
 #include "tools/calibration_report.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
@@ -227,7 +228,8 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
   CalibrationOptions options = OptionsOf(arguments, methods);
   const ThreadLimit limit(arguments.pipeline.threads);
   const std::filesystem::path out = arguments.out;
-  if (out.has_parent_path()) CreateFolder(out.parent_path());
+  RequireWritable(out);
+  RequireWritable(options.checkpoint);
 
   const Pipeline pipeline(arguments.pipeline);
   const std::vector<Part> parts = PartsOf(arguments, pipeline);
@@ -244,6 +246,7 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
                            .seed = arguments.seed,
                            .result = {},
                            .scores = {}};
+  if (out.has_parent_path()) CreateFolder(out.parent_path());
   {
     ClipLoss loss(split.fitted, pool);
     report.result = Search(options, loss);
@@ -257,7 +260,7 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
   AddScores(split.fitted, false, kept, options.base, pool, report);
   AddScores(split.held_out, true, kept, options.base, pool, report);
   const Json json = ToJson(report);
-  WriteFile(out, ParametersJson(kept, json.dump()));
+  WriteFile(out, ParametersJson(kept, JsonText(json)));
   if (report.result.stop == RunLog::Stop::kNone) std::filesystem::remove(options.checkpoint);
   if (arguments.json) {
     PrintJson({{"parameters", arguments.out}, {"calibration", json}});

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "datasets/file.h"
 #include "datasets/sequence.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
@@ -35,6 +36,7 @@ ExitCode RunRender(RenderArguments arguments) {
   RequireUsage(options.IsValid(&why), why);
 
   const std::filesystem::path out = arguments.out;
+  RequireWritableFolder(out);
   Json rendered = Json::array();
   for (const std::string& scene : scenes) {
     Progress progress("rendering " + scene, options.frames, "frames");

@@ -174,6 +174,7 @@ ExitCode RunImageEval(const EvalArguments& arguments) {
 }
 
 ExitCode RunEval(const EvalArguments& arguments) {
+  if (!arguments.sequence.pictures.empty()) RequireWritableFolder(arguments.sequence.pictures);
   const ThreadLimit limit(arguments.sequence.pipeline.threads);
   return arguments.sequence.sequences.empty() ? RunImageEval(arguments)
                                               : RunSequenceEval(arguments.sequence);

@@ -187,15 +187,12 @@ ExitCode RunProfile(ProfileArguments arguments) {
     return &ProfiledMethod(arguments);
   });
   const std::filesystem::path out = arguments.out;
-  if (out.has_parent_path()) CreateFolder(out.parent_path());
-  if (std::filesystem::is_directory(out)) {
-    throw Error(
-        fmt::format("{} is a folder; expected the name of a header to write", out.string()));
-  }
+  RequireWritable(out);
   const ThreadLimit limit(arguments.pipeline.threads);
   const Pipeline pipeline(arguments.pipeline);
   const Content content(arguments, pipeline, *method);
   const ProfileReport report = Profile(arguments, *method, pipeline, content);
+  if (out.has_parent_path()) CreateFolder(out.parent_path());
   WriteFile(out, PipelineHeader(Banner(report),
                                 ConfigurationOf(report.result.chosen, content.encoding())));
   if (arguments.json) {

@@ -61,6 +61,7 @@ ExitCode Run(const RunArguments& arguments) {
   const ShownFormat format = FormatOf(arguments, sequence);
   const FrameRange range = ParseFrames(arguments.pipeline.frames, sequence);
 
+  RequireWritableFolder(arguments.out);
   const ModeRunOptions options = pipeline.Options(*method, arguments.every);
   const Clip clip = pipeline.Load(sequence, range, {method}, Streams::kNone, arguments.every);
   std::string why;

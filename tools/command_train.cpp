@@ -1,6 +1,5 @@
 // warplut train: images to a fit.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -31,16 +30,6 @@ struct TrainArguments {
   std::string optimizer = Name(Optimizer::kLbfgs);
   bool json = false;
 };
-
-// The folder of `out` must take a file; better to know before the training than after it.
-void RequireWritableFolder(const fs::path& out) {
-  const fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
-  CreateFolder(folder);
-  if (access(folder.c_str(), W_OK) != 0) {
-    throw Error(fmt::format("{} cannot be written to; expected a folder for {}.", folder.string(),
-                            out.filename().string()));
-  }
-}
 
 // Rows are filters, columns the protocols of the validation.
 TextTable ValidationTable(const std::vector<FitScore>& scores) {
@@ -125,9 +114,11 @@ ExitCode RunTrain(TrainArguments arguments) {
           "the fit's name is '{}'; expected letters, digits and _, the first not a digit (--name "
           "sets it).",
           name));
-  RequireWritableFolder(out);
+  RequireWritable(out);
+  RequireWritable(options.checkpoint);
   const std::vector<TrainImage> images = LoadImages({arguments.data.begin(), arguments.data.end()});
   ThrowIfInterrupted("train", "nothing was written");
+  if (out.has_parent_path()) CreateFolder(out.parent_path());
 
   TrainResult result;
   {

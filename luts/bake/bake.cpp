@@ -52,7 +52,7 @@ std::string BakedJson(const Fit& fit, const TableView& table, const Certificate&
   if (HasPrefilter(table.prefilter)) json["prefilter"] = ToJson(table.prefilter);
   json["provenance"] = Provenance(fit);
   json["certificate"] = ToJson(certificate);
-  std::string text = json.dump(1);
+  std::string text = JsonText(json, 1);
   text.resize(text.rfind("\n}"));
   text += ",\n \"values\": [\n";
   const std::vector<IntegerRow> rows = TableIntegers(table, fit.name);

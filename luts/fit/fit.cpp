@@ -95,19 +95,8 @@ std::string HeadFault(const Fit& fit) {
 
 std::string RecordFault(const Fit& fit) {
   for (std::size_t i = 0; i < fit.data.size(); ++i) {
-    const FitData& data = fit.data[i];
-    if (data.name.empty() || data.name[0] == '/' || !IsLine(data.name)) {
-      return fmt::format("data[{}].name is \"{}\", expected a relative path of one line", i,
-                         data.name);
-    }
-    if (!IsSha1(data.sha1)) {
-      return fmt::format("data[{}].sha1 is \"{}\", expected {} hexadecimal digits in lower case", i,
-                         data.sha1, kSha1Digits);
-    }
-    if (data.width < 1 || data.height < 1) {
-      return fmt::format("data[{}] is {} x {}, expected at least 1 x 1", i, data.width,
-                         data.height);
-    }
+    std::string why;
+    if (!fit.data[i].IsValid(&why)) return fmt::format("data[{}]{}", i, why);
   }
   for (std::size_t i = 0; i < fit.loss.size(); ++i) {
     const FitLoss& loss = fit.loss[i];
@@ -254,6 +243,20 @@ bool IsIdentifier(std::string_view text) {
          std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || is_digit(c); });
 }
 
+bool FitData::IsValid(std::string* why) const {
+  if (name.empty() || name[0] == '/' || !IsLine(name)) {
+    *why = fmt::format(".name is \"{}\", expected a relative path of one line", name);
+  } else if (!IsSha1(sha1)) {
+    *why = fmt::format(".sha1 is \"{}\", expected {} hexadecimal digits in lower case", sha1,
+                       kSha1Digits);
+  } else if (width < 1 || height < 1) {
+    *why = fmt::format(" is {} x {}, expected at least 1 x 1", width, height);
+  } else {
+    return true;
+  }
+  return false;
+}
+
 bool Fit::IsValid(std::string* why) const {
   std::string fault = HeadFault(*this);
   if (fault.empty()) fault = RecordFault(*this);
@@ -273,14 +276,7 @@ void WriteFit(const std::filesystem::path& path, const Fit& fit) {
   std::string why;
   if (!fit.IsValid(&why))
     throw Error(fmt::format("cannot write '{}': field {}", path.string(), why));
-  std::string text;
-  try {
-    text = ToJson(fit).dump(1) + "\n";
-  } catch (const nlohmann::json::exception& e) {
-    throw Error(
-        fmt::format("cannot write '{}': a text is not UTF-8 ({})", path.string(), e.what()));
-  }
-  WriteFile(path, text);
+  WriteFile(path, JsonText(ToJson(fit), 1) + "\n");
 }
 
 }  // namespace warplut

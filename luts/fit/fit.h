@@ -19,6 +19,9 @@ struct FitData {
   std::string sha1;
   int width = 0;
   int height = 0;
+
+  // Whether a fit can record it; if not, *why says what is wrong with which field.
+  bool IsValid(std::string* why) const;
 };
 
 // A point of the loss over time.

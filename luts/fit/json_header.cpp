@@ -2,13 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "datasets/file.h"
-
 namespace warplut {
-
-nlohmann::json ReadJson(const std::filesystem::path& path) {
-  return ParseJson(ReadFile(path, kMaxJsonBytes), path.string());
-}
 
 int CheckHeader(JsonFields& fields, const char* format, int oldest, int newest) {
   const std::string found = fields.Text("format");

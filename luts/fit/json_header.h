@@ -1,21 +1,13 @@
-// Common parts of the JSON files of luts/: a size limit, a format name and a version.
+// Common parts of the JSON files of luts/: a format name and a version.
 #pragma once
-
-#include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "datasets/json_fields.h"
 
 namespace warplut {
 
-inline constexpr std::size_t kMaxJsonBytes = std::size_t{16} << 20;
-
 inline constexpr const char* kFitFormat = "warplut-fit";
 inline constexpr const char* kTableFormat = "warplut-table";
 inline constexpr int kTableVersion = 2;  // version 1 has no prefilter
-
-// Parses a file of at most kMaxJsonBytes; an Error names it.
-nlohmann::json ReadJson(const std::filesystem::path& path);
 
 // Takes the fields "format" and "version" and returns the version, in [oldest, newest]; an Error
 // says what was found and what was expected.

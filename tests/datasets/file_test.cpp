@@ -124,5 +124,22 @@ TEST(CreateFolder, WithParentsAndErrors) {
   ExpectError([&] { CreateFolder(folder / "f/g"); }, {"/f/g'"});
 }
 
+TEST(RequireWritable, LeavesNothingAndNamesWhatIsWrong) {
+  const TemporaryFolder folder;
+  RequireWritable(folder / "f");
+  RequireWritable(folder / "a/b/f");
+  RequireWritableFolder(folder / "a/b/");
+  EXPECT_EQ(folder.Entries(), 0U);
+  WriteFile(folder / "file", "x");
+  CreateFolder(folder / "sub");
+  RequireWritable(folder / "file");
+  ExpectError([&] { RequireWritable(folder / "sub"); }, {"/sub'", "is a folder"});
+  ExpectError([&] { RequireWritable(folder / "file/f"); }, {"/file/f'", "is not a folder"});
+  ExpectError([&] { RequireWritable(folder / "file/a/b/f"); }, {"/file/a/b/f'", "/file'"});
+  ExpectError([&] { RequireWritable("/proc/warplut/f"); }, {"/proc/warplut/f", "no file can be"});
+  ExpectError([&] { RequireWritableFolder("/proc/warplut"); }, {"/proc/warplut", "no file can be"});
+  EXPECT_EQ(folder.Entries(), 2U);
+}
+
 }  // namespace
 }  // namespace warplut

@@ -4,7 +4,9 @@
 
 #include <string>
 
-#include "expect_error.h"
+#include "datasets/file.h"
+#include "tests/datasets/expect_error.h"
+#include "tests/datasets/temporary_folder.h"
 
 namespace warplut {
 namespace {
@@ -26,13 +28,44 @@ TEST(ParseJson, BoundsTheDepth) {
 }
 
 TEST(ParseJson, NamesTheFileThatIsNotJson) {
-  for (const char* text : {"", "{", "[1,]", "{\"a\": 1e999}", "nul", "\xff"}) {
+  for (const char* text : {"", "{", "[1,]", "nul", "\xff"}) {
     ExpectError([&] { ParseJson(text, "a.json"); }, {"'a.json' is not JSON"});
   }
 }
 
 TEST(ParseJson, RefusesAFieldThatIsThereTwice) {
   ExpectError([] { ParseJson(R"({"a": 1, "a": 2})", "a.json"); }, {"field 'a'", "twice"});
+}
+
+TEST(ParseJson, BoundsTheMagnitudeOfNumbers) {
+  EXPECT_EQ(ParseJson(R"({"a": [-1e30]})", "a.json")["a"][0], -kMaxJsonNumber);
+  for (const char* number : {"1.1e30", "-1e31", "1e308", "1e999", "-1e999"}) {
+    const std::string text = std::string(R"({"b": 1, "a": [)") + number + "]}";
+    ExpectError([&] { ParseJson(text, "a.json"); }, {"'a.json'", "'a'", "at most 1e+30"});
+  }
+}
+
+TEST(ReadJson, BoundsTheSize) {
+  const TemporaryFolder folder;
+  WriteFile(folder / "a.json", R"({"a": 1})");
+  EXPECT_EQ(ReadJson(folder / "a.json")["a"], 1);
+  ExpectError([&] { ReadJson(folder / "a.json", 5); }, {"a.json", "longer than 5 bytes"});
+  std::string big = "[";
+  big.resize(kMaxJsonBytes, ' ');
+  WriteFile(folder / "big.json", big + "]");
+  ExpectError([&] { ReadJson(folder / "big.json"); }, {"big.json", "longer than 16777216"});
+}
+
+TEST(JsonText, IsAlwaysUtf8) {
+  EXPECT_EQ(JsonText(nlohmann::json{"caf\xe9", "caf\xc3\xa9"}),
+            "[\"caf\xef\xbf\xbd\",\"caf\xc3\xa9\"]");
+  EXPECT_EQ(JsonText(nlohmann::ordered_json{{"caf\xe9", 1}}), "{\"caf\xef\xbf\xbd\":1}");
+}
+
+TEST(RecordedName, IsOneLineOfUtf8) {
+  EXPECT_EQ(RecordedName("a/b c.png"), "a/b c.png");
+  EXPECT_EQ(RecordedName("caf\xc3\xa9"), "caf\xc3\xa9");
+  EXPECT_EQ(RecordedName("caf\xe9\n\x7f"), "caf\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");
 }
 
 }  // namespace

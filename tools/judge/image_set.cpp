@@ -9,6 +9,7 @@
 #include "datasets/hash.h"
 #include "datasets/image_io.h"
 #include "datasets/image_list.h"
+#include "datasets/json_fields.h"
 
 namespace warplut {
 namespace {
@@ -19,8 +20,8 @@ namespace fs = std::filesystem;
 std::string RecordName(const fs::path& given, const fs::path& file) {
   const fs::path absolute = fs::weakly_canonical(given);
   const fs::path folder = fs::is_directory(absolute) ? absolute : absolute.parent_path();
-  return (folder.filename() / fs::weakly_canonical(file).lexically_relative(folder))
-      .generic_string();
+  return RecordedName(
+      (folder.filename() / fs::weakly_canonical(file).lexically_relative(folder)).generic_string());
 }
 
 Image LoadDisplayImage(const fs::path& file) {

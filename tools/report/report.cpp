@@ -174,6 +174,7 @@ bool ReportOptions::IsValid(std::string* why) const {
 ReportOutcome MakeReport(const ReportOptions& options) {
   std::string why;
   if (!options.IsValid(&why)) throw Error(why);
+  RequireWritableFolder(options.folder);
   RequireGnuplot();
   const SectionTime whole(0);
   const ThreadLimit limit(options.threads);

@@ -91,7 +91,7 @@ class ReportWriter {
     for (const ReportSection& section : sections) all.push_back(ToJson(section));
     const std::string page = ReportPage(head, sections, media_);
     const Json document = {{"title", head.title}, {"about", head.paragraphs}, {"sections", all}};
-    WriteFile(folder_ / "report.json", document.dump(1) + "\n");
+    WriteFile(folder_ / "report.json", JsonText(document, 1) + "\n");
     WriteFile(folder_ / "index.html", page);
   }
 

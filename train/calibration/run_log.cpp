@@ -64,13 +64,13 @@ void RunLog::Save() {
                                        {"version", kVersion},
                                        {"made_for", options_.made_for},
                                        {"runs", std::move(runs)}};
-  WriteFile(options_.checkpoint, json.dump() + "\n");
+  WriteFile(options_.checkpoint, JsonText(json) + "\n");
   saved_ = Clock::now();
 }
 
 void RunLog::Load() {
   const std::string file = options_.checkpoint.string();
-  const nlohmann::json json = ParseJson(ReadFile(options_.checkpoint), file);
+  const nlohmann::json json = ReadJson(options_.checkpoint, kMaxCheckpointBytes);
   JsonFields fields(json, JsonPlace(file, ""));
   CheckHeader(fields, kFormat, kVersion);
   if (fields.Text("made_for") != options_.made_for) {

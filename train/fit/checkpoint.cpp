@@ -45,7 +45,7 @@ void WriteCheckpoint(const std::filesystem::path& path, const Checkpoint& checkp
                                        {"adam_mean", checkpoint.adam.mean},
                                        {"adam_variance", checkpoint.adam.variance},
                                        {"loss", loss}};
-  WriteFile(path, json.dump(1) + "\n");
+  WriteFile(path, JsonText(json, 1) + "\n");
 }
 
 Checkpoint ReadCheckpoint(const std::filesystem::path& path, const std::string& made_for,

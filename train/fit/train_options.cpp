@@ -131,7 +131,7 @@ std::string TrainOptions::Json() const {
     json["blend_b"] = *blend_b;
     json["aliasing"] = *aliasing;
   }
-  return json.dump();
+  return JsonText(json);
 }
 
 std::string PrefilterName(const TrainOptions& options) {

@@ -55,7 +55,7 @@ std::string ParametersJson(const Parameters& parameters, const std::string& cali
     }
     json["calibration"] = report;
   }
-  return json.dump(2) + "\n";
+  return JsonText(json, 2) + "\n";
 }
 
 }  // namespace warplut

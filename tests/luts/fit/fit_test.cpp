@@ -163,11 +163,11 @@ TEST_F(FitTest, WritingRefusesAFitThatIsNotValid) {
               HasSubstr("validation[0].ssim is 2"));
 }
 
-TEST_F(FitTest, WritingRefusesTextThatIsNotUtf8) {
-  Fit fit = MakeFit(1);
-  fit.data[0].name = std::string("\xff.png");
-  EXPECT_THAT(SentenceOf([&] { WriteFit(path_, fit); }), HasSubstr("not UTF-8"));
-  EXPECT_FALSE(std::filesystem::exists(path_));
+TEST_F(FitTest, WritesTextThatIsNotUtf8WithReplacements) {
+  Fit fit = MakeFit(0);
+  fit.data = {{"caf\xe9.png", std::string(40, '0'), 8, 8}};
+  WriteFit(path_, fit);
+  EXPECT_EQ(ReadFit(path_).data[0].name, "caf\xef\xbf\xbd.png");
 }
 
 TEST(IsIdentifier, TakesLettersDigitsAndUnderscoresThatBeginWithNoDigit) {

@@ -27,6 +27,16 @@ TEST(LoadImages, RecordsNamesBehindTheGivenFolder) {
   }
 }
 
+TEST(LoadImages, RecordsAnyName) {
+  const TemporaryFolder folder;
+  WriteWavyImage(folder / "caf\xe9\n\\.png", 20, 10);
+  const std::vector<TrainImage> images = LoadImages({folder.path()});
+  ASSERT_EQ(images.size(), 1U);
+  std::string why;
+  EXPECT_TRUE(images[0].record.IsValid(&why)) << why;
+  EXPECT_NE(images[0].record.name.find("/caf\xef\xbf\xbd\xef\xbf\xbd\\.png"), std::string::npos);
+}
+
 TEST(LoadImages, RefusesWhatIsNotADisplayImage) {
   const TemporaryFolder folder;
   Image bright(12, 12, 3);
