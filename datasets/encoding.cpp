@@ -83,6 +83,13 @@ double ValueOf(double d, const DepthStream& s) {
   return std::fmin(std::fmax(z, 0), 1);
 }
 
+bool IsOneOf(const std::vector<double>& values, double v) {
+  constexpr double kSame = 1e-6;
+  return std::any_of(values.begin(), values.end(), [&](double value) {
+    return std::abs(v - value) <= kSame * std::max(1.0, std::abs(value));
+  });
+}
+
 // Pixels per unit of the stream, with the signs of the conversion.
 double PixelsPerUnit(const MotionStream& s, int c, const Image& image) {
   double scale = 1;
@@ -149,9 +156,20 @@ void DecodeMotion(const Image& stored, const MotionStream& stream, int c, const 
   const std::size_t pixels = stored.pixels();
   for (std::size_t i = 0; i < pixels; ++i) {
     const double v = stream.scale[k] * Stored(stored, i, stream.encoding) + stream.bias[k];
-    const float m = static_cast<float>(v * pixels_per_unit);
-    if (!std::isfinite(m)) Refuse(what, stored, i, v, "a finite motion");
+    float m = static_cast<float>(v * pixels_per_unit);
+    if (stream.invalid) {
+      if (!std::isfinite(m) || IsOneOf(stream.invalid->values, v)) m = std::nanf("");
+    } else if (!std::isfinite(m)) {
+      Refuse(what, stored, i, v, "a finite motion, or the field 'invalid'");
+    }
     motion->data[2 * i + k] = m;
+  }
+}
+
+void ClearInvalid(Image* motion) {
+  for (std::size_t i = 0; i < motion->data.size(); i += 2) {
+    float* m = &motion->data[i];
+    if (std::isnan(m[0]) || std::isnan(m[1])) m[0] = m[1] = 0;
   }
 }
 

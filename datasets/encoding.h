@@ -43,9 +43,14 @@ Image DecodeDepth(const Image& stored, const DepthStream& stream, const std::str
 Image EncodeDepth(const Image& depth, const DepthStream& stream, const std::string& what);
 
 // Component c (0: x, 1: y) of motion from `stored`, 1 channel or 4 as above, to channel c of
-// `motion`, which has the size of `stored` and 2 channels. Refused: NaN and infinity.
+// `motion`, which has the size of `stored` and 2 channels. Where the stream says what is invalid,
+// NaN stands for a component that is NaN, infinite or one of its values (within 1e-6 of the larger
+// of 1 and the value, so that integer codes hit); otherwise NaN and infinity are refused.
 void DecodeMotion(const Image& stored, const MotionStream& stream, int c, const std::string& what,
                   Image* motion);
+
+// No motion, (0, 0), at every pixel of which a component is NaN.
+void ClearInvalid(Image* motion);
 
 // The inverse, of channel c of `motion`. Refused: NaN, infinity, and values outside [0, 1] of a packed code.
 Image EncodeMotion(const Image& motion, const MotionStream& stream, int c, const std::string& what);

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <exception>
@@ -47,10 +49,13 @@ class Descriptor {
 }
 
 // Hidden, so that nothing that lists a folder's images takes one left behind by a killed process.
+// Shorter than the longest name that systems take wherever the name of `path` is not longer itself.
 fs::path TemporaryBeside(const fs::path& path) {
+  constexpr std::size_t kMaxPart = 100;  // bytes of stem and extension that are kept
   static std::atomic<unsigned> counter{0};
-  return path.parent_path() / fmt::format(".{}.{}-{}.tmp{}", path.stem().string(), ::getpid(),
-                                          counter.fetch_add(1), path.extension().string());
+  return path.parent_path() /
+         fmt::format(".{}.{}-{}.tmp{}", path.stem().string().substr(0, kMaxPart), ::getpid(),
+                     counter.fetch_add(1), path.extension().string().substr(0, kMaxPart));
 }
 
 void SyncFile(const fs::path& path) {
@@ -114,7 +119,7 @@ void WriteFile(const fs::path& path, std::string_view bytes) {
   });
 }
 
-std::string ReadFile(const fs::path& path, std::size_t max_bytes) {
+std::string ReadFileStart(const fs::path& path, std::size_t bytes) {
   const auto fail = [&](const std::string& reason) {
     throw Error(fmt::format("cannot read '{}': {}", path.string(), reason));
   };
@@ -126,20 +131,37 @@ std::string ReadFile(const fs::path& path, std::size_t max_bytes) {
 
   Descriptor file(path, O_RDONLY);
   if (!file.ok()) fail(std::generic_category().message(errno));
-  std::string bytes;
+  std::string start;
   constexpr std::size_t kStep = std::size_t{1} << 16;
-  for (std::size_t length = 0;;) {
-    bytes.resize(length + kStep);
-    const ssize_t got = ::read(file.get(), bytes.data() + length, kStep);
+  for (std::size_t length = 0; length < bytes;) {
+    const std::size_t step = std::min(kStep, bytes - length);
+    start.resize(length + step);
+    const ssize_t got = ::read(file.get(), start.data() + length, step);
     if (got < 0) {
       if (errno == EINTR) continue;
       fail(std::generic_category().message(errno));
     }
     length += static_cast<std::size_t>(got);
-    bytes.resize(length);
-    if (got == 0) return bytes;
-    if (length > max_bytes) fail(fmt::format("it is longer than {} bytes", max_bytes));
+    start.resize(length);
+    if (got == 0) break;
   }
+  return start;
+}
+
+std::string ReadFile(const fs::path& path, std::size_t max_bytes) {
+  std::string bytes = ReadFileStart(path, max_bytes + 1);
+  if (bytes.size() > max_bytes) {
+    throw Error(
+        fmt::format("cannot read '{}': it is longer than {} bytes", path.string(), max_bytes));
+  }
+  return bytes;
+}
+
+bool HasExtension(const fs::path& path, std::string_view extension) {
+  const std::string found = path.extension().string();
+  return std::equal(
+      found.begin(), found.end(), extension.begin(), extension.end(),
+      [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
 void CreateFolder(const fs::path& path) {
@@ -175,7 +197,12 @@ void RequireWritableFolder(const fs::path& folder) {
 }
 
 void RequireWritable(const fs::path& file) {
-  if (!file.has_filename() || fs::is_directory(file)) {
+  std::error_code error;
+  const bool folder = fs::is_directory(file, error);
+  if (error == std::errc::filename_too_long) {
+    throw Error(fmt::format("cannot write '{}': {}", file.string(), error.message()));
+  }
+  if (folder || !file.has_filename()) {
     throw Error(
         fmt::format("cannot write '{}': it is a folder; expected a file's name", file.string()));
   }

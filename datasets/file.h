@@ -22,12 +22,19 @@ void WriteFile(const std::filesystem::path& path, std::string_view bytes);
 std::string ReadFile(const std::filesystem::path& path,
                      std::size_t max_bytes = std::size_t{1} << 30);
 
+// The first `bytes` bytes of a regular file, fewer if it is shorter. Errors as ReadFile.
+std::string ReadFileStart(const std::filesystem::path& path, std::size_t bytes);
+
+// Whether the name of `path` ends with `extension` (lower case, with its dot), in any case.
+bool HasExtension(const std::filesystem::path& path, std::string_view extension);
+
 // Creates the folder and its parents; an Error names what could not be created.
 void CreateFolder(const std::filesystem::path& path);
 
-// Whether `file` could be written, once CreateFolder made its folder: for long work, before it begins. An Error
-// names `file` if it is a folder, if something that is no folder is in its path, or if the folder (of those that
-// exist, the nearest above it) takes no new file. Leaves nothing behind.
+// Whether `file` could be written, once CreateFolder made its folder: for long work, before it
+// begins. An Error names `file` if it is a folder, if something that is no folder is in its path,
+// or if the folder (of those that exist, the nearest above it) takes no new file. Leaves nothing
+// behind.
 void RequireWritable(const std::filesystem::path& file);
 
 // The same of files in `folder`.

@@ -3,10 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "datasets/encoding.h"
 #include "datasets/error.h"
+#include "datasets/file.h"
 #include "datasets/frame_pattern.h"
 #include "datasets/image_io.h"
 #include "datasets/sequence.h"
@@ -49,13 +51,30 @@ class FrameReader {
     return DecodeDepth(ReadImage(path, stream.channels, Values::kAll), stream, path.string());
   }
 
+  // (0, 0) where the motion is invalid.
   Image Motion(const MotionStream& stream, GridSize grid) const {
+    Image motion = MotionOrNan(stream, grid);
+    ClearInvalid(&motion);
+    return motion;
+  }
+
+ private:
+  // NaN where the motion is invalid.
+  Image MotionOrNan(MotionStream stream, GridSize grid) const {
     Image motion(grid.width, grid.height, 2);
     if (!stream.path.empty()) {
       const fs::path path = PathOf(stream.path);
-      Check(path, grid, stream.channels, 2, stream.encoding);
-      const Image both = ReadImage(path, stream.channels, Values::kAll);
-      for (int c = 0; c < 2; ++c) DecodeMotion(Channel(both, c), stream, c, path.string(), &motion);
+      if (HasExtension(path, ".flo") && !stream.invalid) stream.invalid.emplace();
+      std::vector<std::string> channels = stream.channels;
+      const bool has_validity = stream.invalid && !stream.invalid->channel.empty();
+      if (has_validity) channels.push_back(stream.invalid->channel);
+      Check(path, grid, channels, 2, stream.encoding);
+      const Image read = ReadImage(path, channels, Values::kAll);
+      for (int c = 0; c < 2; ++c) DecodeMotion(Channel(read, c), stream, c, path.string(), &motion);
+      for (std::size_t i = 0; has_validity && i < motion.pixels(); ++i) {
+        const float valid = read.data[3 * i + 2];
+        if (valid == 0 || std::isnan(valid)) motion.data[2 * i] = std::nanf("");
+      }
       return motion;
     }
     for (int c = 0; c < 2; ++c) {
@@ -70,7 +89,6 @@ class FrameReader {
     return motion;
   }
 
- private:
   fs::path PathOf(const std::string& pattern) const {
     return sequence_.folder / FrameFileName(pattern, number_);
   }
@@ -78,7 +96,7 @@ class FrameReader {
   // Size and channels, before any pixel is read. `components`: numbers that a pixel holds, 0 where any.
   static void Check(const fs::path& path, GridSize grid, const std::vector<std::string>& channels,
                     std::size_t components, Encoding encoding) {
-    const ImageInfo info = ReadImageInfo(path);
+    const ImageInfo info = ReadImageInfo(path, channels);
     if (info.width != grid.width || info.height != grid.height) {
       throw Error(fmt::format("'{}' is {} x {}; expected {} x {} as the sequence says",
                               path.string(), info.width, info.height, grid.width, grid.height));

@@ -6,12 +6,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <memory>
 #include <new>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "datasets/error.h"
 #include "datasets/file.h"
+#include "datasets/flo_file.h"
+#include "datasets/image_message.h"
 
 namespace warplut {
 namespace {
@@ -22,17 +29,108 @@ namespace fs = std::filesystem;
   throw Error(fmt::format("cannot read the image '{}': {}", path.string(), reason));
 }
 
-[[noreturn]] void FailWrite(const fs::path& path, const std::string& reason) {
-  throw Error(fmt::format("cannot write the image '{}': {}", path.string(), reason));
+// A part of an open file, and where in it the channels are that were asked for.
+struct OpenPart {
+  std::unique_ptr<OIIO::ImageInput> input;
+  int part = 0;
+  OIIO::ImageSpec spec;
+  std::vector<int> wanted;
+};
+
+bool IsOpenExr(const OIIO::ImageInput& input) {
+  return std::string_view(input.format_name()) == "openexr";
 }
 
-std::string OneLine(std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  while (!message.empty() && message.back() == ' ') message.pop_back();
-  return message.empty() ? "it is damaged or of an unknown format" : message;
+std::string LowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
-std::unique_ptr<OIIO::ImageInput> Open(const fs::path& path) {
+std::string PartName(const OIIO::ImageSpec& spec) {
+  return spec.get_string_attribute("oiio:subimagename");
+}
+
+// Whether a name that was asked for is that of the channel `there` of the part.
+bool IsNameOf(const std::string& name, const std::string& there, const std::string& part) {
+  return name == there ||
+         (!part.empty() && (name == part + "." + there || part + "." + name == there));
+}
+
+// Where the channel is among those of the part; nothing if it is not there. In any case only if
+// that is clear.
+std::optional<int> FindChannel(const std::string& name, const OIIO::ImageSpec& spec,
+                               bool in_any_case) {
+  const auto fold = [&](const std::string& text) { return in_any_case ? LowerCase(text) : text; };
+  const std::string part = fold(PartName(spec));
+  std::optional<int> found;
+  for (int c = 0; c < spec.nchannels; ++c) {
+    if (!IsNameOf(fold(name), fold(spec.channel_name(c)), part)) continue;
+    if (found) return in_any_case ? std::nullopt : found;
+    found = c;
+  }
+  return found;
+}
+
+// All of `names`, or nothing if one is not there.
+std::optional<std::vector<int>> FindChannels(const std::vector<std::string>& names,
+                                             const OIIO::ImageSpec& spec, bool in_any_case) {
+  std::vector<int> found;
+  for (const std::string& name : names) {
+    const auto at = FindChannel(name, spec, in_any_case);
+    if (!at) return std::nullopt;
+    found.push_back(*at);
+  }
+  return found;
+}
+
+// The channels of a part of which none is named: R, G, B, A first, whatever their layer and case.
+std::vector<int> ChannelsInOrder(const fs::path& path, const OIIO::ImageSpec& spec, bool is_exr) {
+  if (spec.nchannels < 1 || spec.nchannels > 4) {
+    FailRead(path,
+             fmt::format("it has {} channels ({}); expected 1 to 4, or the names of those to take",
+                         spec.nchannels, fmt::join(spec.channelnames, ", ")));
+  }
+  std::vector<int> order(static_cast<std::size_t>(spec.nchannels));
+  std::iota(order.begin(), order.end(), 0);
+  if (!is_exr || spec.nchannels < 3) return order;
+  const auto rank = [&](int c) {
+    constexpr std::string_view kRanks = "rgba";
+    const std::string name = LowerCase(spec.channel_name(c));
+    const std::string last = name.substr(name.rfind('.') + 1);
+    return last.size() == 1 ? kRanks.find(last[0]) : std::string_view::npos;
+  };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
+  for (std::size_t c = 0; c < order.size(); ++c) {
+    if (rank(order[c]) == c) continue;
+    FailRead(path, fmt::format("its channels are {}; expected R, G, B, and A perhaps, or the names "
+                               "of those to take",
+                               fmt::join(spec.channelnames, ", ")));
+  }
+  return order;
+}
+
+void CheckSpec(const fs::path& path, const OIIO::ImageSpec& spec) {
+  for (const auto& [width, height] :
+       {std::pair(spec.width, spec.height), std::pair(spec.full_width, spec.full_height)}) {
+    if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide) {
+      FailRead(path, fmt::format("its size is {} x {}; expected sides from 1 to {}", width, height,
+                                 kMaxImageSide));
+    }
+  }
+  if (spec.deep || spec.depth > 1) FailRead(path, "it is deep or a volume; expected a flat image");
+  if (spec.x > spec.full_x || spec.y > spec.full_y ||
+      spec.x + spec.width < spec.full_x + spec.full_width ||
+      spec.y + spec.height < spec.full_y + spec.full_height) {
+    FailRead(path, fmt::format("its data window ({} x {} at {}, {}) lacks a part of its display "
+                               "window ({} x {} at {}, {}); expected all of it",
+                               spec.width, spec.height, spec.x, spec.y, spec.full_width,
+                               spec.full_height, spec.full_x, spec.full_y));
+  }
+}
+
+// With `any_number` a part whose channels are not named may have any number of them, of any name.
+OpenPart Open(const fs::path& path, const std::vector<std::string>& channels, bool any_number) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (!fs::exists(status)) FailRead(path, "it does not exist");
@@ -40,52 +138,45 @@ std::unique_ptr<OIIO::ImageInput> Open(const fs::path& path) {
 
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);  // alpha and colour as stored
-  auto input = OIIO::ImageInput::open(path.string(), &config);
-  if (!input) FailRead(path, OneLine(OIIO::geterror()));
-
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.width > kMaxImageSide ||
-      spec.height > kMaxImageSide) {
-    FailRead(path, fmt::format("its size is {} x {}; expected sides from 1 to {}", spec.width,
-                               spec.height, kMaxImageSide));
+  OpenPart open;
+  open.input = OIIO::ImageInput::open(path.string(), &config);
+  if (!open.input) FailRead(path, ImageMessage(OIIO::geterror()));
+  const auto take = [&](int part, std::vector<int> wanted) {
+    open.part = part;
+    open.spec = open.input->spec(part);
+    open.wanted = std::move(wanted);
+    CheckSpec(path, open.spec);
+  };
+  if (channels.empty()) {
+    CheckSpec(path, open.input->spec());
+    take(0, any_number ? std::vector<int>()
+                       : ChannelsInOrder(path, open.input->spec(), IsOpenExr(*open.input)));
+    return open;
   }
-  if (spec.deep || spec.depth > 1) FailRead(path, "it is deep or a volume; expected a flat image");
-  if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
-      spec.height != spec.full_height) {
-    FailRead(path, fmt::format("its data window ({} x {} at {}, {}) is not its display window "
-                               "({} x {} at {}, {}); expected both alike",
-                               spec.width, spec.height, spec.x, spec.y, spec.full_width,
-                               spec.full_height, spec.full_x, spec.full_y));
-  }
-  return input;
-}
-
-// Where each asked channel is in the file.
-std::vector<int> FindChannels(const fs::path& path, const OIIO::ImageSpec& spec,
-                              const std::vector<std::string>& names) {
-  std::vector<int> found;
-  if (names.empty()) {
-    if (spec.nchannels < 1 || spec.nchannels > 4) {
-      FailRead(path, fmt::format(
-                         "it has {} channels ({}); expected 1 to 4, or the names of those to take",
-                         spec.nchannels, fmt::join(spec.channelnames, ", ")));
+  std::vector<std::string> there;
+  for (const bool in_any_case : {false, true}) {
+    for (int part = 0; open.input->seek_subimage(part, 0); ++part) {
+      const OIIO::ImageSpec spec = open.input->spec(part);
+      if (auto wanted = FindChannels(channels, spec, in_any_case)) {
+        take(part, std::move(*wanted));
+        return open;
+      }
+      if (in_any_case) continue;
+      for (const std::string& name : spec.channelnames) there.push_back(name);
     }
-    for (int c = 0; c < spec.nchannels; ++c) found.push_back(c);
-    return found;
   }
-  for (const std::string& name : names) {
-    const auto at = std::find(spec.channelnames.begin(), spec.channelnames.end(), name);
-    if (at == spec.channelnames.end()) {
-      FailRead(path, fmt::format("it has no channel '{}', only {}", name,
-                                 fmt::join(spec.channelnames, ", ")));
-    }
-    found.push_back(static_cast<int>(at - spec.channelnames.begin()));
+  const auto missing = std::find_if(channels.begin(), channels.end(), [&](const auto& name) {
+    return std::find(there.begin(), there.end(), name) == there.end();
+  });
+  if (missing == channels.end()) {
+    FailRead(path, fmt::format("no part of it has all of the channels {}, only {}",
+                               fmt::join(channels, ", "), fmt::join(there, ", ")));
   }
-  return found;
+  FailRead(path, fmt::format("it has no channel '{}', only {}", *missing, fmt::join(there, ", ")));
 }
 
 void CheckValues(const fs::path& path, const Image& image, const std::vector<int>& channels,
-                 const OIIO::ImageSpec& spec, Values accepted) {
+                 const std::vector<std::string>& names, Values accepted) {
   if (accepted == Values::kAll) return;
   const bool finite = accepted == Values::kFinite;
   const auto bad = std::find_if(image.data.begin(), image.data.end(), [&](float v) {
@@ -96,152 +187,130 @@ void CheckValues(const fs::path& path, const Image& image, const std::vector<int
   const std::size_t n = channels.size(), pixel = i / n,
                     width = static_cast<std::size_t>(image.width);
   FailRead(path, fmt::format("pixel ({}, {}), channel {}, is {}; expected a {}", pixel % width,
-                             pixel / width, spec.channel_name(channels[i % n]), *bad,
+                             pixel / width, names[static_cast<std::size_t>(channels[i % n])], *bad,
                              finite ? "finite number" : "number"));
 }
 
-OIIO::TypeDesc OiioType(PixelType type) {
-  switch (type) {
-    case PixelType::kUint8:
-      return OIIO::TypeDesc::UINT8;
-    case PixelType::kUint16:
-      return OIIO::TypeDesc::UINT16;
-    case PixelType::kHalf:
-      return OIIO::TypeDesc::HALF;
-    case PixelType::kFloat:
-      return OIIO::TypeDesc::FLOAT;
+// The channels at these places, in their order.
+Image TakeChannels(Image image, const std::vector<int>& places) {
+  bool in_order = static_cast<std::size_t>(image.channels) == places.size();
+  for (std::size_t c = 0; c < places.size() && in_order; ++c) {
+    in_order = places[c] == static_cast<int>(c);
   }
-  return OIIO::TypeDesc::UNKNOWN;
-}
-
-// The image as integers from 0 to the largest T.
-template <class T>
-std::vector<T> Quantize(const fs::path& path, const Image& image) {
-  constexpr double kMax = std::numeric_limits<T>::max();
-  std::vector<T> values(image.data.size());
-  std::transform(image.data.begin(), image.data.end(), values.begin(), [&](float v) {
-    if (std::isnan(v)) FailWrite(path, "it has a NaN, which an integer file cannot hold");
-    return static_cast<T>(std::floor(std::clamp(double{v}, 0.0, 1.0) * kMax + 0.5));
-  });
-  return values;
-}
-
-void CheckHalf(const fs::path& path, const Image& image) {
-  constexpr float kOverflow = 65520;  // rounds to the half that would be 65536
-  for (const float v : image.data) {
-    if (std::isfinite(v) && std::abs(v) >= kOverflow) {
-      FailWrite(path,
-                fmt::format("it has the value {}; expected at most 65504, the largest half", v));
+  if (in_order) return image;
+  Image taken(image.width, image.height, static_cast<int>(places.size()));
+  const auto stride = static_cast<std::size_t>(image.channels);
+  for (std::size_t p = 0, to = 0; p < image.pixels(); ++p) {
+    for (const int place : places) {
+      taken.data[to++] = image.data[p * stride + static_cast<std::size_t>(place)];
     }
   }
+  return taken;
 }
 
-OIIO::ImageSpec OutputSpec(const Image& image, PixelType type,
-                           const std::vector<std::string>& names) {
-  static const std::vector<std::string> kDefaultNames[] = {
-      {"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
-  OIIO::ImageSpec spec(image.width, image.height, image.channels, OiioType(type));
-  spec.channelnames = names.empty() ? kDefaultNames[image.channels - 1] : names;
-  spec.alpha_channel = -1;
-  for (int c = 0; c < image.channels; ++c) {
-    if (spec.channel_name(c) == "A") spec.alpha_channel = c;
+const std::vector<std::string> kFloChannels = {"X", "Y"};
+
+std::vector<int> FloChannels(const fs::path& path, const std::vector<std::string>& channels) {
+  std::vector<int> wanted;
+  for (const std::string& name : channels.empty() ? kFloChannels : channels) {
+    const std::string upper = LowerCase(name);
+    if (upper != "x" && upper != "y") {
+      FailRead(path, fmt::format("it has no channel '{}', only X, Y", name));
+    }
+    wanted.push_back(upper == "x" ? 0 : 1);
   }
-  spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the time of writing
-  return spec;
+  return wanted;
 }
 
-// The bytes of the file: encoded in memory, so that every write to the disk is checked in one place.
-std::vector<unsigned char> Encode(const fs::path& path, const Image& image, PixelType type,
-                                  const std::vector<std::string>& names) {
-  std::vector<unsigned char> bytes;
-  // Outlives the writer, which at its end closes what it has open.
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  auto output = OIIO::ImageOutput::create(path.string());
-  if (!output) FailWrite(path, OneLine(OIIO::geterror()));
-  if (!output->set_ioproxy(&memory)) FailWrite(path, "its format cannot be encoded in memory");
+// One channel of the data window, by its own type: integers of OpenEXR are numbers, not shares of
+// the largest.
+void ReadChannel(const OpenPart& open, int channel, bool* ok, std::vector<float>* values) {
+  const std::size_t pixels = static_cast<std::size_t>(open.spec.width) * open.spec.height;
+  values->resize(pixels);
+  if (open.spec.channelformat(channel) != OIIO::TypeDesc::UINT32) {
+    *ok = open.input->read_image(open.part, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT,
+                                 values->data());
+    return;
+  }
+  std::vector<std::uint32_t> integers(pixels);
+  *ok = open.input->read_image(open.part, 0, channel, channel + 1, OIIO::TypeDesc::UINT32,
+                               integers.data());
+  std::transform(integers.begin(), integers.end(), values->begin(),
+                 [](std::uint32_t v) { return static_cast<float>(v); });
+}
+
+// The wanted channels of the data window.
+Image ReadPart(const fs::path& path, const OpenPart& open) {
+  const OIIO::ImageSpec& spec = open.spec;
   const auto check = [&](bool ok) {
-    if (!ok) FailWrite(path, OneLine(output->geterror()));
+    // A reader that fills what is missing still leaves a message.
+    if (!ok || open.input->has_error()) FailRead(path, ImageMessage(open.input->geterror()));
   };
-  check(output->open(path.string(), OutputSpec(image, type, names)));
-  if (type == PixelType::kUint8) {
-    check(output->write_image(OIIO::TypeDesc::UINT8, Quantize<std::uint8_t>(path, image).data()));
-  } else if (type == PixelType::kUint16) {
-    check(output->write_image(OIIO::TypeDesc::UINT16, Quantize<std::uint16_t>(path, image).data()));
-  } else {
-    if (type == PixelType::kHalf) CheckHalf(path, image);
-    check(output->write_image(OIIO::TypeDesc::FLOAT, image.data.data()));
+  const bool numbers =
+      IsOpenExr(*open.input) && std::any_of(open.wanted.begin(), open.wanted.end(), [&](int c) {
+        return spec.channelformat(c) == OIIO::TypeDesc::UINT32;
+      });
+  if (!numbers) {
+    const auto [low, high] = std::minmax_element(open.wanted.begin(), open.wanted.end());
+    const int begin = *low, end = *high + 1;
+    Image read(spec.width, spec.height, end - begin);
+    check(
+        open.input->read_image(open.part, 0, begin, end, OIIO::TypeDesc::FLOAT, read.data.data()));
+    std::vector<int> places = open.wanted;
+    for (int& place : places) place -= begin;
+    return TakeChannels(std::move(read), places);
   }
-  check(output->close());
-  return bytes;
+  Image image(spec.width, spec.height, static_cast<int>(open.wanted.size()));
+  std::vector<float> values;
+  for (std::size_t c = 0; c < open.wanted.size(); ++c) {
+    bool ok = false;
+    ReadChannel(open, open.wanted[c], &ok, &values);
+    check(ok);
+    for (std::size_t p = 0; p < values.size(); ++p) {
+      image.data[p * open.wanted.size() + c] = values[p];
+    }
+  }
+  return image;
+}
+
+// The display window of an image of the data window, which holds it.
+Image DisplayWindow(Image data, const OIIO::ImageSpec& spec) {
+  if (spec.width == spec.full_width && spec.height == spec.full_height) return data;
+  Image window(spec.full_width, spec.full_height, data.channels);
+  const std::size_t row = static_cast<std::size_t>(window.width) * window.channels;
+  for (int y = 0; y < window.height; ++y) {
+    std::copy_n(&data.data[data.Index(spec.full_x - spec.x, spec.full_y - spec.y + y)], row,
+                &window.data[window.Index(0, y)]);
+  }
+  return window;
 }
 
 }  // namespace
 
-ImageInfo ReadImageInfo(const fs::path& path) {
-  const auto input = Open(path);
-  const OIIO::ImageSpec& spec = input->spec();
-  const OIIO::TypeDesc type = spec.channelformat(0);
-  return {spec.width, spec.height, spec.channelnames, static_cast<int>(type.basesize()) * 8,
-          !type.is_floating_point()};
+ImageInfo ReadImageInfo(const fs::path& path, const std::vector<std::string>& channels) {
+  if (HasExtension(path, ".flo")) return ReadFloInfo(path);
+  const OpenPart open = Open(path, channels, true);
+  const OIIO::TypeDesc type = open.spec.channelformat(channels.empty() ? 0 : open.wanted.front());
+  return {open.spec.full_width, open.spec.full_height, open.spec.channelnames,
+          static_cast<int>(type.basesize()) * 8, !type.is_floating_point()};
 }
 
 Image ReadImage(const fs::path& path, const std::vector<std::string>& channels, Values accepted) {
-  const auto input = Open(path);
-  const OIIO::ImageSpec spec = input->spec();
-  const std::vector<int> wanted = FindChannels(path, spec, channels);
-  const auto [low, high] = std::minmax_element(wanted.begin(), wanted.end());
-  const int begin = *low, end = *high + 1;
-
+  if (HasExtension(path, ".flo")) {
+    const Image image = TakeChannels(ReadFlo(path), FloChannels(path, channels));
+    CheckValues(path, image, FloChannels(path, channels), kFloChannels, accepted);
+    return image;
+  }
+  const OpenPart open = Open(path, channels, false);
   Image image;
   try {
-    Image read(spec.width, spec.height, end - begin);
-    if (!input->read_image(0, 0, begin, end, OIIO::TypeDesc::FLOAT, read.data.data())) {
-      FailRead(path, OneLine(input->geterror()));
-    }
-    // A reader that fills what is missing still leaves a message.
-    if (input->has_error()) FailRead(path, OneLine(input->geterror()));
-    const auto n = static_cast<int>(wanted.size());
-    bool in_order = read.channels == n;
-    for (int c = 0; c < n && in_order; ++c)
-      in_order = wanted[static_cast<std::size_t>(c)] == begin + c;
-    if (in_order) {
-      image = std::move(read);
-    } else {
-      image = Image(spec.width, spec.height, n);
-      for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-          for (int c = 0; c < n; ++c) {
-            image.at(x, y, c) = read.at(x, y, wanted[static_cast<std::size_t>(c)] - begin);
-          }
-        }
-      }
-    }
+    image = DisplayWindow(ReadPart(path, open), open.spec);
   } catch (const std::bad_alloc&) {
-    FailRead(path, fmt::format("there is no memory for {} x {} pixels", spec.width, spec.height));
+    FailRead(path, fmt::format("there is no memory for {} x {} pixels", open.spec.width,
+                               open.spec.height));
   }
-  CheckValues(path, image, wanted, spec, accepted);
+  CheckValues(path, image, open.wanted, open.spec.channelnames, accepted);
   return image;
-}
-
-void WriteImage(const fs::path& path, const Image& image, PixelType type,
-                const std::vector<std::string>& channel_names) {
-  if (image.empty() || image.channels > 4) {
-    FailWrite(path,
-              fmt::format("it is {} x {} with {} channels; expected pixels and 1 to 4 channels",
-                          image.width, image.height, image.channels));
-  }
-  if (!channel_names.empty() && channel_names.size() != static_cast<std::size_t>(image.channels)) {
-    FailWrite(path, fmt::format("{} channels have {} names", image.channels, channel_names.size()));
-  }
-  const bool integer = type == PixelType::kUint8 || type == PixelType::kUint16;
-  if (path.extension() != (integer ? ".png" : ".exr")) {
-    FailWrite(path, integer ? "expected the extension .png for 8 and 16 bits"
-                            : "expected the extension .exr for half and float");
-  }
-  const std::vector<unsigned char> bytes = Encode(path, image, type, channel_names);
-  WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace warplut

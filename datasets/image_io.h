@@ -17,25 +17,34 @@ inline constexpr int kMaxImageSide = 32768;
 struct ImageInfo {
   int width = 0;
   int height = 0;
-  std::vector<std::string> channels;  // names: R, G, B, A, Y, Z, ...
+  std::vector<std::string> channels;  // names: R, G, B, A, Y, Z, layer.R, ...
   int bits = 0;                       // of a stored value, the first channel's
-  bool integer = false;               // unsigned integers, scaled to [0, 1] when read
+  bool integer = false;               // integers
 
   bool operator==(const ImageInfo&) const = default;
 };
 
-// Errors as ReadImage, as far as the header shows them. Any number of channels.
-ImageInfo ReadImageInfo(const std::filesystem::path& path);
+// Of the part of the file that has these channels; of the first part where none are named. Errors
+// as ReadImage, as far as the header shows them. Any number of channels.
+ImageInfo ReadImageInfo(const std::filesystem::path& path,
+                        const std::vector<std::string>& channels = {});
 
 // The values that a caller takes; kNumbers are all but NaN.
 enum class Values : std::uint8_t { kFinite, kNumbers, kAll };
 
-// Reads any file that OpenImageIO knows. Integer formats are scaled to [0, 1]; nothing is converted
-// between colour spaces, alpha is left as stored. Width, height >= 1, 1 to 4 channels (with
-// `channels` empty) or exactly the named channels in the given order. Errors (one sentence, naming
-// the file): missing, not an image, truncated, side above kMaxImageSide, deep or volume data, a
-// data window that is not the display window, a channel that is not there, and a value that is not
-// accepted (with its pixel and channel).
+// Reads any file that OpenImageIO knows, and .flo (datasets/flo_file.h); docs/FORMATS.md has the
+// table of what is read of OpenEXR. Integers are scaled to [0, 1], but those of OpenEXR (32 bits)
+// are read as the numbers that they are; nothing is converted between colour spaces, alpha is left
+// as stored. The image is the display window; the data window may be larger.
+//
+// Width, height >= 1. With `channels` empty all 1 to 4 channels, R, G, B, A first; otherwise
+// exactly the named channels in the given order, all of one part of the file: the first that has
+// them. A channel has the name that the file gives it, with or without PART. before it; where none
+// has it, a channel that has it in other case, if there is just one.
+//
+// Errors (one sentence, naming the file): missing, not an image, truncated, side above
+// kMaxImageSide, deep or volume data, a data window that lacks a part of the display window, a
+// channel that is not there, and a value that is not accepted (with its pixel and channel).
 Image ReadImage(const std::filesystem::path& path, const std::vector<std::string>& channels = {},
                 Values accepted = Values::kFinite);
 

@@ -15,13 +15,14 @@ json ParseJson(const std::string& text, const std::string& file) {
   std::vector<std::set<std::string>> fields;  // of the objects that are open
   std::string last;                           // field that was begun
   const auto refuse_number = [&](const std::string& number) {
-    throw Error(fmt::format("'{}': field '{}' is {}; expected a number of at most {:g}, as all "
-                            "numbers of a file",
-                            file, last, number, kMaxJsonNumber));
+    throw Error(
+        fmt::format("'{}': field '{}' is {}; expected a number of at most {:g}, as all "
+                    "numbers of a file",
+                    file, last, number, kMaxJsonNumber));
   };
   const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
-    if (depth >= kMaxJsonDepth && (event == json::parse_event_t::object_start ||
-                                   event == json::parse_event_t::array_start)) {
+    if (depth >= kMaxJsonDepth &&
+        (event == json::parse_event_t::object_start || event == json::parse_event_t::array_start)) {
       throw Error(fmt::format("'{}' has objects or arrays nested more than {} deep; expected fewer",
                               file, kMaxJsonDepth));
     }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -15,27 +16,30 @@ namespace warplut {
 
 // The bounds of every JSON file that is read.
 //   kMaxJsonDepth    objects and arrays inside each other: what walks a parsed value recurses
-//   kMaxJsonBytes    of a file; manifests, which may name cameras for every frame, and checkpoints may have more
-//   kMaxJsonNumber   the largest magnitude of a number: its square, as a double, and itself, as a float, are finite
+//   kMaxJsonBytes    of a file; manifests, which may name cameras for every frame, and checkpoints
+//                    may have more
+//   kMaxJsonNumber   the largest magnitude of a number: as a float it is finite, as a double its
+//                    square too
 inline constexpr int kMaxJsonDepth = 64;
 inline constexpr std::size_t kMaxJsonBytes = std::size_t{16} << 20;
 inline constexpr std::size_t kMaxManifestBytes = std::size_t{256} << 20;
 inline constexpr std::size_t kMaxCheckpointBytes = std::size_t{1} << 30;
-inline constexpr double kMaxJsonNumber = 1e30;
+inline constexpr double kMaxJsonNumber = std::numeric_limits<float>::max();
 
-// Parses `text`; an Error names `file` where it is not JSON, is nested deeper than kMaxJsonDepth, has a number
-// beyond kMaxJsonNumber, or an object has a field twice.
+// Parses `text`; an Error names `file` where it is not JSON, is nested deeper than kMaxJsonDepth,
+// has a number beyond kMaxJsonNumber, or an object has a field twice.
 nlohmann::json ParseJson(const std::string& text, const std::string& file);
 
 // ParseJson of a file of at most `max_bytes`. An Error names it.
 nlohmann::json ReadJson(const std::filesystem::path& path, std::size_t max_bytes = kMaxJsonBytes);
 
-// The text of a JSON value, always UTF-8: bytes of a text that are not (names of files can hold any) become U+FFFD.
-// `indent`: spaces of a level; -1: all on one line.
+// The text of a JSON value, always UTF-8: bytes of a text that are not (names of files can hold
+// any) become U+FFFD. `indent`: spaces of a level; -1: all on one line.
 std::string JsonText(const nlohmann::json& json, int indent = -1);
 std::string JsonText(const nlohmann::ordered_json& json, int indent = -1);
 
-// A name as it can be recorded: valid UTF-8 on one line. Other bytes, and control characters, become U+FFFD.
+// A name as it can be recorded: valid UTF-8 on one line. Other bytes, and control characters,
+// become U+FFFD.
 std::string RecordedName(const std::string& name);
 
 // The decimal number that a float's shortest text stands for: a file then shows 0.7.

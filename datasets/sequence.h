@@ -65,6 +65,10 @@ std::vector<std::filesystem::path> FrameFiles(const Sequence& sequence, int inde
 // expected; unknown and repeated fields are refused.
 Sequence ReadSequence(const std::filesystem::path& path);
 
+// The folders right below `folder` that have a sequence.json, in ascending order of their names as
+// bytes.
+std::vector<std::filesystem::path> SequencesBelow(const std::filesystem::path& folder);
+
 // The manifest as text: what ReadSequence reads back to the same values. A pure function. Error if not valid.
 std::string SequenceJson(const Sequence& sequence);
 

@@ -21,15 +21,18 @@ void Check(bool ok, const std::string& field, double found, const std::string& e
   if (!ok) Refuse(field, fmt::format("is {}; expected {}", found, expected));
 }
 
+// A name becomes a part of files' names, of which most systems bound the length at 255 bytes.
+constexpr std::size_t kMaxNameBytes = 200;
+
 void CheckName(const std::string& name) {
-  const bool ok = !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
-    return c == '/' || c == 127 || static_cast<unsigned char>(c) < 32;
-  });
-  if (!ok)
-    Refuse(
-        "name",
-        fmt::format("is \"{}\"; expected some characters, none of them '/' or a control character",
-                    name));
+  const bool fits = !name.empty() && name.size() <= kMaxNameBytes;
+  const bool ok = fits && std::none_of(name.begin(), name.end(), [](char c) {
+                    return c == '/' || c == 127 || static_cast<unsigned char>(c) < 32;
+                  });
+  if (ok) return;
+  Refuse("name", fmt::format("is \"{}\"; expected 1 to {} bytes, none of them '/' or a control "
+                             "character",
+                             name.substr(0, kMaxNameBytes), kMaxNameBytes));
 }
 
 void CheckGrids(const Sequence& s) {
@@ -92,6 +95,24 @@ void CheckDepth(const DepthStream& d, const std::string& stream) {
         "a number, as only reversed depth may be infinite");
 }
 
+void CheckInvalid(const MotionStream& m, const std::string& stream) {
+  for (const double value : m.invalid->values) {
+    Check(std::isfinite(value), stream + ".invalid", value,
+          "finite numbers; NaN is invalid anyway");
+  }
+  const std::string& channel = m.invalid->channel;
+  if (channel.empty()) return;
+  if (m.path.empty() || m.channels.empty() || m.encoding != Encoding::kFloat) {
+    Refuse(stream + ".invalid",
+           "names a channel; expected it with one path, and with channels that name x and y");
+  }
+  if (std::find(m.channels.begin(), m.channels.end(), channel) != m.channels.end()) {
+    Refuse(stream + ".invalid", fmt::format("names the channel \"{}\" of the motion itself; "
+                                            "expected another one",
+                                            channel));
+  }
+}
+
 void CheckMotion(const MotionStream& m, const std::string& stream) {
   const bool two = !m.path_x.empty() || !m.path_y.empty();
   if (two && !m.path.empty()) {
@@ -109,6 +130,7 @@ void CheckMotion(const MotionStream& m, const std::string& stream) {
   }
   CheckChannels(m.channels, m.encoding == Encoding::kFloat ? 2 : 4, stream + ".channels");
   for (std::size_t c = 0; c < 2; ++c) CheckScale(m.scale[c], m.bias[c], stream);
+  if (m.invalid) CheckInvalid(m, stream);
 }
 
 void CheckJitter(const std::vector<Vec2>& jitter) {

@@ -1,6 +1,7 @@
 // sequence.json: Sequence from and to text.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -105,6 +106,28 @@ DepthStream TakeDepth(JsonFields fields, const char* grid) {
   return stream;
 }
 
+// A number, numbers, or the channel that tells.
+InvalidMotion TakeInvalid(JsonFields& fields) {
+  InvalidMotion invalid;
+  const auto& value = fields.Take("invalid");
+  const JsonPlace at = fields.At("invalid");
+  if (value.is_object()) {
+    JsonFields object(value, at);
+    invalid.channel = object.Text("channel");
+    if (invalid.channel.empty()) object.At("channel").Fail("is empty; expected a channel's name");
+    object.Finish();
+  } else if (value.is_number()) {
+    invalid.values = {at.Number(value)};
+  } else if (value.is_array()) {
+    for (const auto& element : value) {
+      invalid.values.push_back(at.Element(invalid.values.size()).Number(element));
+    }
+  } else {
+    at.Refuse(value, "a number, numbers in [ ] or {\"channel\": NAME}");
+  }
+  return invalid;
+}
+
 MotionStream TakeMotion(JsonFields fields, const char* grid) {
   MotionStream stream;
   if (fields.Has("path_x") || fields.Has("path_y")) {
@@ -122,6 +145,7 @@ MotionStream TakeMotion(JsonFields fields, const char* grid) {
   stream.units = fields.OneOf("units", kMotionUnits);
   stream.direction = fields.OneOf("direction", kDirections);
   stream.y = fields.OneOf("y", kYAxes);
+  if (fields.Has("invalid")) stream.invalid = TakeInvalid(fields);
   fields.Finish();
   return stream;
 }
@@ -210,6 +234,10 @@ Json ToJson(const MotionStream& s, const char* grid) {
   json["units"] = NameOf(kMotionUnits, s.units);
   json["direction"] = NameOf(kDirections, s.direction);
   json["y"] = NameOf(kYAxes, s.y);
+  if (s.invalid) {
+    json["invalid"] = s.invalid->channel.empty() ? Json(s.invalid->values)
+                                                 : Json{{"channel", s.invalid->channel}};
+  }
   return json;
 }
 
@@ -238,8 +266,39 @@ Json StreamsJson(const Sequence& s) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> SequencesBelow(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> folders;
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    if (std::filesystem::exists(it->path() / Sequence::kManifest)) folders.push_back(it->path());
+  }
+  if (error) throw Error(fmt::format("cannot list '{}': {}", folder.string(), error.message()));
+  std::sort(folders.begin(), folders.end(),
+            [](const auto& a, const auto& b) { return a.native() < b.native(); });
+  return folders;
+}
+
+namespace {
+
+// A folder of sequences in place of one is a slip that the names below it can mend.
+void RequireManifest(const std::filesystem::path& folder, const std::filesystem::path& manifest) {
+  if (std::filesystem::exists(manifest)) return;
+  const auto below = SequencesBelow(folder);
+  if (below.empty()) return;
+  std::string names;
+  for (const auto& sequence : below) {
+    names += (names.empty() ? "" : ", ") + sequence.filename().string();
+  }
+  throw Error(fmt::format("'{}' has no {}; expected one of the sequences below it: {}",
+                          folder.string(), Sequence::kManifest, names));
+}
+
+}  // namespace
+
 Sequence ReadSequence(const std::filesystem::path& path) {
   const auto manifest = std::filesystem::is_directory(path) ? path / Sequence::kManifest : path;
+  if (manifest != path) RequireManifest(path, manifest);
   const std::string file = manifest.string();
   const nlohmann::json json = ReadJson(manifest, kMaxManifestBytes);
 

@@ -55,6 +55,12 @@ void CheckTargets(const Sequence& s) {
     if (color && color->channels.size() == 1)
       fail(color->path, "has one named channel; expected three");
   }
+  for (const auto* motion :
+       {s.motion ? &*s.motion : nullptr, s.reference_motion ? &*s.reference_motion : nullptr}) {
+    if (motion && motion->invalid && !motion->invalid->channel.empty()) {
+      fail(motion->path, "has a channel that tells what is invalid, which is not written");
+    }
+  }
   std::set<std::string> seen;
   for (const auto& [pattern, channels, extensions] : Targets(s)) {
     const std::string extension = fs::path(pattern).extension().string();

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,13 @@ struct DepthStream {
   double far = 1;   // > near; infinity only when reversed
 };
 
+// Which pixels of a motion stream have no motion. A component that is NaN or infinite is invalid as
+// well.
+struct InvalidMotion {
+  std::vector<double> values = {};  // of x or y after scale and bias, in `units`
+  std::string channel = {};  // of the file: 0 or NaN where the motion is invalid; empty: none
+};
+
 struct MotionStream {
   std::string path;                   // of both components, or empty:
   std::string path_x, path_y;         // one file for each
@@ -72,6 +80,7 @@ struct MotionStream {
   MotionUnits units = MotionUnits::kPixels;
   MotionDirection direction = MotionDirection::kPreviousToCurrent;
   YAxis y = YAxis::kDown;
+  std::optional<InvalidMotion> invalid;  // without it NaN and infinity are refused
 };
 
 }  // namespace warplut

@@ -46,6 +46,16 @@ TEST(WriteFile, ReplacesTheWholeFile) {
   EXPECT_EQ(folder.Entries(), 1U);
 }
 
+TEST(WriteFile, TakesTheLongestName) {
+  const TemporaryFolder folder;
+  for (const std::string& name :
+       {std::string(255, 'n'), std::string(251, 'n') + ".png", "a." + std::string(253, 'x')}) {
+    WriteFile(folder / name, name);
+    EXPECT_EQ(ReadFile(folder / name), name);
+  }
+  EXPECT_EQ(folder.Entries(), 3U);
+}
+
 TEST(WriteFile, FullDiskLeavesTheOldFileAndNothingElse) {
   const TemporaryFolder folder;
   WriteFile(folder / "f.txt", "old");
@@ -137,6 +147,8 @@ TEST(RequireWritable, LeavesNothingAndNamesWhatIsWrong) {
   ExpectError([&] { RequireWritable(folder / "file/f"); }, {"/file/f'", "is not a folder"});
   ExpectError([&] { RequireWritable(folder / "file/a/b/f"); }, {"/file/a/b/f'", "/file'"});
   ExpectError([&] { RequireWritable("/proc/warplut/f"); }, {"/proc/warplut/f", "no file can be"});
+  RequireWritable(folder / std::string(255, 'n'));
+  ExpectError([&] { RequireWritable(folder / std::string(256, 'n')); }, {"nnn'", "too long"});
   ExpectError([&] { RequireWritableFolder("/proc/warplut"); }, {"/proc/warplut", "no file can be"});
   EXPECT_EQ(folder.Entries(), 2U);
 }

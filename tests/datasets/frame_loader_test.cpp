@@ -160,6 +160,70 @@ TEST_F(LoadFrameTest, DepthAndMotionFilesAreChecked) {
   ExpectError([&] { LoadFrame(s_, 0, Streams::kDepth); }, {"d3.png", "3 channels", "expected 4"});
 }
 
+TEST_F(LoadFrameTest, WhatIsInvalidHasNoMotion) {
+  s_.motion.emplace();
+  s_.motion->path = "m%d.exr";
+  s_.motion->units = MotionUnits::kUv;
+  s_.motion->direction = MotionDirection::kCurrentToPrevious;
+  Image motion(4, 2, 2);
+  motion.data = {-512, 0, 0.25f, 0.5f, 0, -512, kNan, 1, 1, kInfinity, 7, 7, 0.5f, 1, 0.25f, 7};
+  WriteImage(folder_ / "m3.exr", motion, PixelType::kFloat, {"X", "Y"});
+  const auto load = [&] { return LoadFrame(s_, 0, Streams::kMotion).motion; };
+  ExpectError([&] { load(); }, {"m3.exr", "finite motion, or the field 'invalid'"});
+  s_.motion->invalid = InvalidMotion{.values = {-512, 7}};
+  const std::vector<float> expected = {0, 0, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, -2, -2, 0, 0};
+  EXPECT_EQ(load().data, expected);
+  s_.motion->invalid->values.clear();
+  EXPECT_EQ(load().at(0, 0, 0), 4 * 512) << "without its value it is a motion";
+  EXPECT_EQ(load().at(3, 0, 0), 0) << "NaN is invalid by itself";
+}
+
+TEST_F(LoadFrameTest, AChannelTellsWhatIsInvalid) {
+  // As KITTI stores flow: 16 bits, (code - 32768) / 64 pixels, the third channel 0 where there is
+  // none.
+  s_.motion.emplace();
+  s_.motion->path = "m%d.png";
+  s_.motion->channels = {"R", "G"};
+  s_.motion->scale = {65535.0 / 64, 65535.0 / 64};
+  s_.motion->bias = {-512, -512};
+  s_.motion->invalid = InvalidMotion{.channel = "B"};
+  Image codes(4, 2, 3);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const bool valid = i % 3 != 0;
+    codes.data[3 * i] = valid ? static_cast<float>(32768 + 64 * i) / 65535 : 0;
+    codes.data[3 * i + 1] = valid ? static_cast<float>(32768 - 32) / 65535 : 0;
+    codes.data[3 * i + 2] = valid ? 1.0f / 65535 : 0;
+  }
+  WriteImage(folder_ / "m3.png", codes, PixelType::kUint16);
+  const Image motion = LoadFrame(s_, 0, Streams::kMotion).motion;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const bool valid = i % 3 != 0;
+    EXPECT_NEAR(motion.data[2 * i], valid ? static_cast<double>(i) : 0, 1e-4) << i;
+    EXPECT_NEAR(motion.data[2 * i + 1], valid ? -0.5 : 0, 1e-4) << i;
+  }
+  s_.motion->invalid = InvalidMotion{.values = {-512}};
+  EXPECT_EQ(LoadFrame(s_, 0, Streams::kMotion).motion.data, motion.data) << "its value tells too";
+  s_.motion->invalid = InvalidMotion{.channel = "A"};
+  ExpectError([&] { LoadFrame(s_, 0, Streams::kMotion); }, {"m3.png", "no channel 'A'"});
+}
+
+TEST_F(LoadFrameTest, FloSaysItselfWhatIsUnknown) {
+  s_.motion.emplace();
+  s_.motion->path = "m%d.flo";
+  std::string bytes = "PIEH";
+  const auto append = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  append(std::int32_t{4});
+  append(std::int32_t{2});
+  for (int i = 0; i < 16; ++i) append(i == 5 ? 1e10f : static_cast<float>(i));
+  WriteFile(folder_ / "m3.flo", bytes);
+  const Image motion = LoadFrame(s_, 0, Streams::kMotion).motion;
+  for (int i = 0; i < 16; ++i) {
+    EXPECT_EQ(motion.data[static_cast<std::size_t>(i)], i / 2 == 2 ? 0 : i) << i;
+  }
+}
+
 TEST_F(LoadFrameTest, FilesOfAFrame) {
   s_.motion.emplace();
   s_.motion->path_x = "x%d.exr";

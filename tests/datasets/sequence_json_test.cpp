@@ -108,6 +108,31 @@ TEST_F(ReadSequenceTest, WrittenTextReadsBackTheSame) {
   EXPECT_EQ(s.motion->bias, (std::array<double, 2>{-1, -1}));
 }
 
+TEST_F(ReadSequenceTest, InvalidMotionIsAValueValuesOrAChannel) {
+  const auto read = [&](const json& invalid) {
+    json manifest = json::parse(kManifest);
+    json& motion = manifest["streams"]["reference_motion"];
+    motion["channels"] = {"R", "G"};
+    motion["invalid"] = invalid;
+    const Sequence s = Read(manifest.dump());
+    EXPECT_EQ(SequenceJson(Read(SequenceJson(s))), SequenceJson(s));
+    return *s.reference_motion->invalid;
+  };
+  EXPECT_EQ(read(-512).values, std::vector<double>{-512});
+  EXPECT_EQ(read({1e10, 65504}).values, (std::vector<double>{1e10, 65504}));
+  EXPECT_TRUE(read(json::array()).values.empty());
+  EXPECT_EQ(read({{"channel", "B"}}).channel, "B");
+  EXPECT_FALSE(Read(kManifest).reference_motion->invalid);
+
+  Refused("/streams/reference_motion/invalid", "B", {"reference_motion.invalid", "a number"});
+  Refused("/streams/reference_motion/invalid", {{"channel", ""}}, {"invalid.channel", "is empty"});
+  Refused("/streams/reference_motion/invalid", {{"name", "B"}}, {"invalid.channel", "is missing"});
+  Refused("/streams/reference_motion/invalid", json::array({"x"}), {"invalid[0]", "a number"});
+  Refused("/streams/motion/invalid", {{"channel", "B"}},
+          {"motion.invalid", "expected it with one"});
+  EXPECT_THROW(read({{"channel", "R"}}), Error);
+}
+
 TEST_F(ReadSequenceTest, OptionalPartsMayBeAbsent) {
   json manifest = json::parse(kManifest);
   for (const char* name : {"jitter", "camera", "cuts"}) manifest.erase(name);
@@ -123,7 +148,7 @@ TEST_F(ReadSequenceTest, WhatIsNoManifestIsRefused) {
   ExpectError([&] { Read("{"); }, {Sequence::kManifest, "is not JSON"});
   ExpectError([&] { Read("[]"); }, {"expected an object"});
   ExpectError([&] { Read(R"({"format": "a", "format": "b"})"); }, {"'format'", "twice"});
-  ExpectError([&] { Read(R"({"format": 1e999})"); }, {"at most 1e"});
+  ExpectError([&] { Read(R"({"format": 1e999})"); }, {"at most 3.4"});
 }
 
 TEST_F(ReadSequenceTest, MissingAndUnknownFieldsAreNamed) {
@@ -196,6 +221,7 @@ TEST_F(ReadSequenceTest, TypesAndNamesAreChecked) {
 TEST_F(ReadSequenceTest, RangesAreChecked) {
   Refused("/name", "", {"'name'"});
   Refused("/name", "a/b", {"'name'", "a/b"});
+  Refused("/name", std::string(201, 'n'), {"'name'", "1 to 200 bytes"});
   Refused("/frames/first", -1, {"'frames.first'", "-1", "0 or more"});
   Refused("/frames/first", 2147483647, {"'frames.first'", "2^31"});
   Refused("/frames/count", 0, {"'frames.count'", "is 0"});
