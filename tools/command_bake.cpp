@@ -62,10 +62,12 @@ ExitCode RunBake(const BakeArguments& arguments) {
   const BakedTable table = LoadTable(out / (files.name + ".json")).table;
   WriteImage(out / (files.name + ".png"), LutPicture(NodeWeights(table.view())), PixelType::kUint8);
 
-  const char* const endings[] = {".h", ".json", ".exr", ".png"};
+  std::vector<std::string> endings = {".h", ".json", ".png"};
+  if (!files.exr.empty()) endings.insert(endings.begin() + 2, ".exr");
   if (arguments.json) {
     Json written = Json::array();
-    for (const char* ending : endings) written.push_back((out / (files.name + ending)).string());
+    for (const std::string& ending : endings)
+      written.push_back((out / (files.name + ending)).string());
     Json certificate = Json::parse(files.json)["certificate"];
     certificate.erase("node_gains");
     PrintJson({{"name", files.name},
@@ -74,7 +76,7 @@ ExitCode RunBake(const BakeArguments& arguments) {
                {"certificate", certificate}});
     return ExitCode::kDone;
   }
-  for (const char* ending : endings) Print((out / (files.name + ending)).string() + "\n");
+  for (const std::string& ending : endings) Print((out / (files.name + ending)).string() + "\n");
   const Stability stability = CertifyStability(table.view(), options.blend);
   Print(LoopText("any offset", stability.any, options.blend) +
         LoopText("half offset", stability.half, options.blend));

@@ -17,6 +17,7 @@ namespace {
 struct CompareOptions {
   std::string a, b;
   int border = 0;
+  bool linear = false;
   double min_psnr = 0;
   double min_ssim = -1;
   bool json = false;
@@ -34,15 +35,31 @@ std::vector<std::string> ToRow(const FrameScore& score) {
   return {score.name, psnr, fmt::format("{:.4f}", score.ssim)};
 }
 
+// Whether a file of the pair may hold linear HDR.
+bool HoldsFloats(const FramePair& pair) {
+  return !ReadImageInfo(pair.a.file).integer || !ReadImageInfo(pair.b.file).integer;
+}
+
+// In which values was compared, and how the other ones are.
+std::string DomainText(JudgedDomain domain, bool floats, int border) {
+  if (domain == JudgedDomain::kDisplayed) {
+    return fmt::format(
+        "Compared as displayed (linear HDR, tone-mapped as run --score judges), border {}.\n",
+        border);
+  }
+  return fmt::format("Compared as stored, border {}.{}\n", border,
+                     floats ? " Of linear HDR, --linear compares as displayed." : "");
+}
+
 ExitCode Compare(const CompareOptions& options) {
   const std::vector<FramePair> pairs = PairFrames(options.a, options.b);
+  const JudgedDomain domain = DomainOf(pairs, options.linear);
   std::vector<FrameScore> scores;
   {
     Progress progress("comparing", static_cast<double>(pairs.size()), "frames");
     for (const FramePair& pair : pairs) {
       ThrowIfInterrupted("compare", "nothing was printed");
-      scores.push_back(
-          CompareImages(pair.name, ReadImage(pair.a), ReadImage(pair.b), options.border));
+      scores.push_back(ComparePair(pair, domain, options.border));
       progress.Add(1);
     }
   }
@@ -51,12 +68,17 @@ ExitCode Compare(const CompareOptions& options) {
   if (options.json) {
     Json frames = Json::array();
     for (const FrameScore& score : scores) frames.push_back(ToJson(score));
-    PrintJson({{"frames", frames}, {"mean", ToJson(mean)}, {"targets_met", met}});
+    PrintJson({{"domain", Name(domain)},
+               {"border", options.border},
+               {"frames", frames},
+               {"mean", ToJson(mean)},
+               {"targets_met", met}});
   } else {
     TextTable table{.header = {"frame", "PSNR dB", "SSIM"}, .rows = {}};
     for (const FrameScore& score : scores) table.rows.push_back(ToRow(score));
     table.rows.push_back(ToRow(mean));
     Print(ToText(table));
+    Print(DomainText(domain, HoldsFloats(pairs.front()), options.border));
     if (!met) Print("A stated target was missed.\n");
   }
   return met ? ExitCode::kDone : ExitCode::kMissed;
@@ -74,6 +96,9 @@ void AddCompareCommand(CLI::App& app, CommandRun* run) {
   command->add_option("--border", options->border, "Number of pixels to cut at each edge")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
+  command->add_flag("--linear", options->linear,
+                    "Compare linear HDR files as displayed, as run --score does (a "
+                    "sequence with linear colour says so itself)");
   command->add_option("--min-psnr", options->min_psnr, "Least mean PSNR in dB, as a target");
   command->add_option("--min-ssim", options->min_ssim, "Least mean SSIM, as a target");
   AddJsonOption(*command, &options->json);

@@ -99,8 +99,9 @@ ExitCode RunCross(CrossArguments arguments) {
   }
   const ThreadLimit limit(options.threads);
   const std::vector<CrossFilter> filters = LoadFilters(arguments.luts);
+  int tone_mapped = 0;
   const std::vector<Image> luma =
-      CheckedLuma(LoadImages({arguments.images.begin(), arguments.images.end()}));
+      CheckedLuma(LoadImages({arguments.images.begin(), arguments.images.end()}, &tone_mapped));
   std::vector<CrossColumn> columns;
   {
     Progress progress("judging", static_cast<double>(arguments.scales.size()), "factors");
@@ -112,9 +113,12 @@ ExitCode RunCross(CrossArguments arguments) {
     }
   }
   if (arguments.json) {
-    PrintJson(ToJson(filters, columns));
+    Json json = ToJson(filters, columns);
+    json["tone_mapped"] = tone_mapped;
+    PrintJson(json);
     return ExitCode::kDone;
   }
+  if (!arguments.markdown) Print(ToneMappedText(tone_mapped, luma.size()));
   const auto print = [&](const TextTable& table) {
     Print(arguments.markdown ? ToMarkdown(table) : ToText(table));
   };

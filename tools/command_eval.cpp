@@ -101,12 +101,15 @@ void WritePictures(const EvalArguments& arguments, const std::vector<TrainImage>
   const std::size_t count = std::min(kPictures, images.size());
   for (std::size_t i = 0; i < count; ++i) {
     const TrainImage& image = images[i * images.size() / count];
+    constexpr std::size_t kMaxStem = 200;  // bytes of a file's name, of which systems take 255
     std::string name = image.record.name;
     std::replace(name.begin(), name.end(), '/', '-');
+    name = fs::path(name).stem().string();
+    if (name.size() > kMaxStem) name = name.substr(name.size() - kMaxStem);
     for (const Offsets offsets : {Offsets::kHalf, Offsets::kRandom}) {
       const Protocol protocol{.warps = kPictureWarps, .offsets = offsets};
-      const fs::path file = folder / fmt::format("{}-{}-{}.png", fs::path(name).stem().string(),
-                                                 kPictureWarps, Name(offsets));
+      const fs::path file =
+          folder / fmt::format("{}-{}-{}.png", name, kPictureWarps, Name(offsets));
       WriteImage(file, WarpPicture(image.image, filters, protocol, arguments.seed),
                  PixelType::kUint8);
     }
@@ -149,7 +152,7 @@ ExitCode RunImageEval(const EvalArguments& arguments) {
       RuntimeFilter(loaded.name, {.filter = Filter::kLut, .table = &table, .lookup = lookup});
 
   const std::vector<TrainImage> images =
-      LoadImages({arguments.images.begin(), arguments.images.end()});
+      LoadImages({arguments.images.begin(), arguments.images.end()}, &report.tone_mapped);
   report.images = images.size();
   Score(arguments, LumaCrops(images, arguments.crop), lut, report);
   for (const std::string& text : arguments.sequence.targets) {
@@ -157,7 +160,6 @@ ExitCode RunImageEval(const EvalArguments& arguments) {
         MissedProtocols(ParseScoreTarget(text), report.judged, report.others, report.protocols);
     report.missed.insert(report.missed.end(), missed.begin(), missed.end());
   }
-  if (!arguments.sequence.pictures.empty()) WritePictures(arguments, images, lut);
 
   if (arguments.sequence.json) {
     PrintJson(ToJson(report));
@@ -166,10 +168,12 @@ ExitCode RunImageEval(const EvalArguments& arguments) {
       Print(ToMarkdown(ScoreTable(report)));
     } else {
       Print(fmt::format("{} on {} images, {} lookup\n", report.name, report.images, report.lookup) +
-            ToText(ScoreTable(report)));
+            ToneMappedText(report.tone_mapped, report.images) + ToText(ScoreTable(report)));
     }
     for (const std::string& sentence : report.missed) Print("missed: " + sentence + "\n");
   }
+  // After the scores, which a picture that cannot be written does not take along.
+  if (!arguments.sequence.pictures.empty()) WritePictures(arguments, images, lut);
   return report.missed.empty() ? ExitCode::kDone : ExitCode::kMissed;
 }
 

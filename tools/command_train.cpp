@@ -48,7 +48,7 @@ TextTable ValidationTable(const std::vector<FitScore>& scores) {
   return table;
 }
 
-Json ToJson(const TrainResult& result, const std::string& out) {
+Json ToJson(const TrainResult& result, int tone_mapped, const std::string& out) {
   const Fit& fit = result.fit;
   Json validation = Json::array();
   for (const FitScore& score : fit.validation) {
@@ -63,6 +63,7 @@ Json ToJson(const TrainResult& result, const std::string& out) {
                {"scale", fit.scale},
                {"objective", fit.objective},
                {"images", fit.data.size()},
+               {"tone_mapped", tone_mapped},
                {"seconds", last.seconds},
                {"evaluations", last.evaluations},
                {"loss", last.loss},
@@ -90,7 +91,11 @@ void PrintText(const TrainResult& result, const std::string& out) {
                       Name(fit.prefilter.kind), fit.prefilter.side, fit.spline_k,
                       1 / fit.spline_k));
   }
-  if (result.cut) Print("--max-seconds ended the training before all of its work was done\n");
+  if (result.cut) {
+    Print(
+        "--max-seconds ended the training before all of its work was done; the same command with "
+        "--resume and a larger limit goes on.\n");
+  }
   if (!fit.validation.empty()) Print(ToText(ValidationTable(fit.validation)));
 }
 
@@ -116,7 +121,9 @@ ExitCode RunTrain(TrainArguments arguments) {
           name));
   RequireWritable(out);
   RequireWritable(options.checkpoint);
-  const std::vector<TrainImage> images = LoadImages({arguments.data.begin(), arguments.data.end()});
+  int tone_mapped = 0;
+  const std::vector<TrainImage> images =
+      LoadImages({arguments.data.begin(), arguments.data.end()}, &tone_mapped);
   ThrowIfInterrupted("train", "nothing was written");
   if (out.has_parent_path()) CreateFolder(out.parent_path());
 
@@ -135,13 +142,14 @@ ExitCode RunTrain(TrainArguments arguments) {
             ? fmt::format("training was interrupted; the same command with --resume goes on "
                           "from {}.",
                           options.checkpoint.string())
-            : "training was interrupted in its first stage; nothing was written.");
+            : "training was interrupted before its first evaluation; nothing was written.");
   }
   result.fit.name = name;
   WriteFit(out, result.fit);
   if (arguments.json) {
-    PrintJson(ToJson(result, arguments.out));
+    PrintJson(ToJson(result, tone_mapped, arguments.out));
   } else {
+    Print(ToneMappedText(tone_mapped, images.size()));
     PrintText(result, arguments.out);
   }
   return ExitCode::kDone;

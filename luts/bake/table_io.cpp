@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "datasets/error.h"
+#include "datasets/file.h"
 #include "datasets/image_io.h"
 #include "luts/bake/released_layout.h"
 #include "luts/fit/fit.h"
@@ -77,10 +78,15 @@ LoadedTable FromJson(const std::filesystem::path& path, TableFormat format) {
 
 }  // namespace
 
+bool IsFit(const std::filesystem::path& path) {
+  if (!HasExtension(path, ".json")) return false;
+  const nlohmann::json json = ReadJson(path);
+  return json.is_object() && json.contains("format") && json["format"] == kFitFormat;
+}
+
 LoadedTable LoadTable(const std::filesystem::path& path, TableFormat format) {
-  const std::string extension = path.extension().string();
-  if (extension == ".json") return FromJson(path, format);
-  if (extension != ".exr") {
+  if (HasExtension(path, ".json")) return FromJson(path, format);
+  if (!HasExtension(path, ".exr")) {
     throw Error(fmt::format(
         "'{}' is no table: expected a fit or baked table (.json), or an image in the released "
         "layout (.exr)",

@@ -15,6 +15,10 @@ struct LoadedTable {
   std::optional<double> scale;  // upscale factor it was fitted for; an EXR does not say
 };
 
+// Whether the file is a fit, which can be baked; false for any other that can be read. Errors as
+// LoadTable where it is no JSON that it should be.
+bool IsFit(const std::filesystem::path& path);
+
 // Reads
 //   .json  a fit (format "warplut-fit"), quantised to `format`; or a baked table ("warplut-table"),
 //          as it is stored;

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/file.h"
-#include "luts/fit.h"
+#include "luts/fit/fit.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/program.h"
 #include "tests/tools/test_images.h"
-#include "tests/train/pan_sequence.h"
+#include "tests/train/replay/pan_sequence.h"
 
 namespace warplut {
 namespace {
@@ -43,8 +43,8 @@ TEST_F(Outputs, AnImageWithAForeignNameIsTrainedOnAndRecorded) {
   fs::create_directory(Path(kForeign));
   WriteWavyImage(Path(std::string(kForeign) + "/" + kForeign + "\n.png"), 160, 160);
   const std::string out = Path(std::string(kForeign) + "/" + kForeign + ".json");
-  const ProgramResult result = RunWarplut(
-      Train({"--data", Path(kForeign), "--out", out, "--name", "foreign", "--json"}));
+  const ProgramResult result =
+      RunWarplut(Train({"--data", Path(kForeign), "--out", out, "--name", "foreign", "--json"}));
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(nlohmann::json::parse(result.out)["fit"].get<std::string>(), HasSubstr(kReplaced));
   EXPECT_THAT(ReadFit(out).data.at(0).name, HasSubstr(kReplaced));
@@ -65,9 +65,8 @@ TEST_F(Outputs, FramesOfAForeignFolderAreShownAndJudged) {
   EXPECT_THAT(run.out, HasSubstr(kReplaced));
   fs::rename(Path(std::string("out") + kForeign + "/0010.png"),
              Path(std::string("out") + kForeign + "/" + kForeign + ".png"));
-  const ProgramResult compare =
-      RunWarplut({"compare", Path(std::string("out") + kForeign),
-                  Path(std::string("out") + kForeign), "--json"});
+  const ProgramResult compare = RunWarplut({"compare", Path(std::string("out") + kForeign),
+                                            Path(std::string("out") + kForeign), "--json"});
   ASSERT_EQ(compare.code, 0) << compare.err;
   EXPECT_THAT(compare.out, HasSubstr(kReplaced));
   const ProgramResult missing =
@@ -110,6 +109,18 @@ TEST_F(Outputs, WhatCannotBeWrittenIsRefusedBeforeTheWork) {
                 "is a folder");
   ExpectRefused(RunWarplut(Train({"--data", image, "--out", Path("b.json")})), kFailed,
                 "b.json.checkpoint");
+}
+
+TEST_F(Outputs, TrainingTakesLinearSequencesAsDisplayedAndSaysSo) {
+  WritePan(folder_ / "scenes" / "pan",
+           {.frames = 2, .output = {160, 128}, .color_space = ColorSpace::kLinear});
+  const ProgramResult text = RunWarplut(Train({"--data", Path("scenes"), "--out", Path("f.json")}));
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("2 of 2 images are linear HDR"));
+  const ProgramResult json =
+      RunWarplut(Train({"--data", Path("scenes/pan"), "--out", Path("f.json"), "--json"}));
+  ASSERT_EQ(json.code, 0) << json.err;
+  EXPECT_EQ(nlohmann::json::parse(json.out)["tone_mapped"], 2);
 }
 
 }  // namespace

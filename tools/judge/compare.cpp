@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "datasets/error.h"
-#include "datasets/image_list.h"
+#include "datasets/image_io.h"
 #include "tools/judge/image_set.h"
 #include "tools/judge/plane.h"
 #include "train/metrics/luma.h"
@@ -15,6 +17,23 @@
 #include "train/metrics/ssim.h"
 
 namespace warplut {
+namespace {
+
+std::map<std::string, ListedImage> ByName(const std::filesystem::path& path) {
+  std::map<std::string, ListedImage> images;
+  for (ListedImage& image : ListImages(path)) {
+    const std::string name = image.file.filename().string();
+    if (!images.emplace(name, std::move(image)).second) {
+      throw Error(
+          fmt::format("{} has two images of the name {}; expected one, to tell its partner.",
+                      path.string(), name));
+    }
+  }
+  return images;
+}
+
+}  // namespace
+
 FrameScore CompareImages(const std::string& name, const Image& a, const Image& b, int border) {
   if (a.width != b.width || a.height != b.height || a.channels != b.channels) {
     throw Error(fmt::format(
@@ -38,24 +57,43 @@ FrameScore CompareImages(const std::string& name, const Image& a, const Image& b
 }
 
 std::vector<FramePair> PairFrames(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::map<std::string, std::filesystem::path> partners;
-  for (const auto& file : ListImages(b)) partners.emplace(file.filename().string(), file);
+  const auto lacks_partner = [](const ListedImage& image, const std::filesystem::path& other) {
+    throw Error(fmt::format("{} has no image of the same name in {}.", image.file.string(),
+                            other.string()));
+  };
+  std::map<std::string, ListedImage> of_a = ByName(a), of_b = ByName(b);
   std::vector<FramePair> pairs;
-  for (const auto& file : ListImages(a)) {
-    const std::string name = file.filename().string();
-    const auto partner = partners.find(name);
-    if (partner == partners.end()) {
-      throw Error(
-          fmt::format("{} has no image of the same name in {}.", file.string(), b.string()));
-    }
-    pairs.push_back({.name = name, .a = file, .b = partner->second});
-    partners.erase(partner);
+  for (auto& [name, image] : of_a) {
+    const auto partner = of_b.find(name);
+    if (partner == of_b.end()) lacks_partner(image, b);
+    pairs.push_back({.name = name, .a = std::move(image), .b = std::move(partner->second)});
+    of_b.erase(partner);
   }
-  if (!partners.empty()) {
-    throw Error(fmt::format("{} has no image of the same name in {}.",
-                            partners.begin()->second.string(), a.string()));
-  }
+  if (!of_b.empty()) lacks_partner(of_b.begin()->second, a);
   return pairs;
+}
+
+JudgedDomain DomainOf(const std::vector<FramePair>& pairs, bool linear) {
+  const bool displayed = linear || std::any_of(pairs.begin(), pairs.end(), [](const auto& pair) {
+                           return pair.a.IsLinear() || pair.b.IsLinear();
+                         });
+  return displayed ? JudgedDomain::kDisplayed : JudgedDomain::kStored;
+}
+
+FrameScore ComparePair(const FramePair& pair, JudgedDomain domain, int border) {
+  const auto load = [&](const ListedImage& listed) {
+    Image image = WithoutAlpha(LoadListedImage(listed));
+    if (domain == JudgedDomain::kStored) return image;
+    const bool displayed =
+        listed.sequence ? !listed.IsLinear() : ReadImageInfo(listed.file).integer;
+    if (displayed) {
+      throw Error(fmt::format(
+          "{} holds displayed colour and cannot be compared as linear HDR; expected float values.",
+          listed.file.string()));
+    }
+    return DisplayedImage(std::move(image), ColorEncoding::kLinearHdr);
+  };
+  return CompareImages(pair.name, load(pair.a), load(pair.b), border);
 }
 
 FrameScore MeanScore(const std::vector<FrameScore>& scores) {

@@ -1,11 +1,12 @@
 // Image against image, folder against folder.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "datasets/image.h"
+#include "datasets/image_list.h"
 
 namespace warplut {
 
@@ -20,13 +21,29 @@ struct FrameScore {
 // error is over RGB then). An Error names `name` if sizes or channels differ or too little is left for the SSIM window.
 FrameScore CompareImages(const std::string& name, const Image& a, const Image& b, int border);
 
-// The files of two paths (datasets/image_list.h), paired by file name. An Error names the first
-// file that has no partner.
+// The images of two paths (datasets/image_list.h), paired by file name. An Error names the first
+// file that has no partner, or a name that a path has twice.
 struct FramePair {
   std::string name;
-  std::filesystem::path a, b;
+  ListedImage a, b;
 };
 std::vector<FramePair> PairFrames(const std::filesystem::path& a, const std::filesystem::path& b);
+
+// In which values two images are compared.
+//   kStored     those of the files, integers from 0 to 1
+//   kDisplayed  as a display shows linear HDR (train/metrics/displayed_color.h): so `eval` and
+//               `run --score` judge it
+enum class JudgedDomain : std::uint8_t { kStored, kDisplayed };
+constexpr const char* Name(JudgedDomain domain) {
+  return domain == JudgedDomain::kStored ? "stored" : "displayed";
+}
+
+// kDisplayed if `linear`, or if an image of the pairs is linear HDR, as its sequence says.
+JudgedDomain DomainOf(const std::vector<FramePair>& pairs, bool linear);
+
+// Loads and scores a pair. An Error names a file of integers in the domain kDisplayed: what it
+// holds is displayed already.
+FrameScore ComparePair(const FramePair& pair, JudgedDomain domain, int border);
 
 // The means of `scores`; the PSNR is the mean of those that are finite, +infinity if none is.
 FrameScore MeanScore(const std::vector<FrameScore>& scores);

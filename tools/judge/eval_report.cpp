@@ -67,6 +67,7 @@ nlohmann::ordered_json ToJson(const EvalReport& report) {
           {"name", report.name},
           {"lookup", report.lookup},
           {"images", report.images},
+          {"tone_mapped", report.tone_mapped},
           {"crop", report.crop},
           {"protocols", protocols},
           {"judged", ToJson(report.judged)},

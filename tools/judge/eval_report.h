@@ -15,7 +15,8 @@ struct EvalReport {
   std::string name;    // of the table
   std::string lookup;  // "nearest" or "bilinear"
   std::size_t images = 0;
-  int crop = 0;  // side of the judged windows, 0: whole images
+  int tone_mapped = 0;  // of them: linear HDR, judged as displayed
+  int crop = 0;         // side of the judged windows, 0: whole images
   std::vector<Protocol> protocols;
   FilterScores judged;
   std::vector<FilterScores> others;

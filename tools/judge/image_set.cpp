@@ -1,15 +1,17 @@
 #include "tools/judge/image_set.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "datasets/error.h"
 #include "datasets/hash.h"
-#include "datasets/image_io.h"
 #include "datasets/image_list.h"
 #include "datasets/json_fields.h"
+#include "train/metrics/displayed_color.h"
 
 namespace warplut {
 namespace {
@@ -24,8 +26,10 @@ std::string RecordName(const fs::path& given, const fs::path& file) {
       (folder.filename() / fs::weakly_canonical(file).lexically_relative(folder)).generic_string());
 }
 
-Image LoadDisplayImage(const fs::path& file) {
-  Image image = ReadImage(file);
+Image LoadDisplayImage(const ListedImage& listed) {
+  Image image = LoadListedImage(listed);
+  if (listed.IsLinear()) return DisplayedImage(std::move(image), ColorEncoding::kLinearHdr);
+  const fs::path& file = listed.file;
   if (image.channels == 2) {
     throw Error(fmt::format("{} has 2 channels; expected 1, 3 or 4.", file.string()));
   }
@@ -33,24 +37,29 @@ Image LoadDisplayImage(const fs::path& file) {
   const auto outside = std::find_if(image.data.begin(), image.data.end(),
                                     [](float value) { return !(value >= 0 && value <= 1); });
   if (outside != image.data.end()) {
-    throw Error(fmt::format("{} has the value {}; expected colours as displayed, in [0, 1].",
-                            file.string(), *outside));
+    throw Error(
+        fmt::format("{} has the value {}; expected colours as displayed, in [0, 1], or a "
+                    "sequence whose color_space is \"linear\".",
+                    file.string(), *outside));
   }
   return image;
 }
 
 }  // namespace
 
-std::vector<TrainImage> LoadImages(const std::vector<fs::path>& paths) {
+std::vector<TrainImage> LoadImages(const std::vector<fs::path>& paths, int* tone_mapped) {
   std::vector<TrainImage> images;
+  int linear = 0;
   std::set<fs::path> seen;
   for (const fs::path& path : paths) {
-    for (const fs::path& file : ListImages(path)) {
+    for (const ListedImage& listed : ListImages(path)) {
+      const fs::path& file = listed.file;
       if (!seen.insert(fs::weakly_canonical(file)).second) {
         throw Error(fmt::format("{} is given twice.", file.string()));
       }
       TrainImage loaded;
-      loaded.image = LoadDisplayImage(file);
+      loaded.image = LoadDisplayImage(listed);
+      linear += listed.IsLinear() ? 1 : 0;
       loaded.record = {.name = RecordName(path, file),
                        .sha1 = Sha1OfFile(file),
                        .width = loaded.image.width,
@@ -58,7 +67,32 @@ std::vector<TrainImage> LoadImages(const std::vector<fs::path>& paths) {
       images.push_back(std::move(loaded));
     }
   }
+  if (tone_mapped != nullptr) *tone_mapped = linear;
   return images;
+}
+
+std::string ToneMappedText(int tone_mapped, std::size_t images) {
+  if (tone_mapped == 0) return "";
+  return fmt::format(
+      "{} of {} images are linear HDR; they are used as displayed, tone-mapped as eval judges.\n",
+      tone_mapped, images);
+}
+
+Image DisplayedImage(Image image, ColorEncoding encoding) {
+  if (encoding == ColorEncoding::kDisplay) return image;
+  tbb::parallel_for(0, image.height, [&](int y) {
+    for (int x = 0; x < image.width; ++x) {
+      float* pixel = &image.data[image.Index(x, y)];
+      if (image.channels >= 3) {
+        ToDisplay(encoding, pixel);
+      } else {
+        float rgb[] = {*pixel, *pixel, *pixel};
+        ToDisplay(encoding, rgb);
+        *pixel = rgb[0];
+      }
+    }
+  });
+  return image;
 }
 
 Image WithoutAlpha(const Image& image) {

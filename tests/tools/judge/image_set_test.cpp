@@ -8,6 +8,8 @@
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/test_images.h"
+#include "tests/train/replay/pan_sequence.h"
+#include "train/metrics/displayed_color.h"
 
 namespace warplut {
 namespace {
@@ -42,12 +44,41 @@ TEST(LoadImages, RefusesWhatIsNotADisplayImage) {
   Image bright(12, 12, 3);
   bright.data[7] = 1.5f;
   WriteImage(folder / "bright.exr", bright, PixelType::kFloat);
-  ExpectError([&] { LoadImages({folder / "bright.exr"}); }, {"bright.exr", "1.5", "[0, 1]"});
+  ExpectError([&] { LoadImages({folder / "bright.exr"}); },
+              {"bright.exr", "1.5", "[0, 1]", "color_space"});
   bright.data[7] = std::numeric_limits<float>::quiet_NaN();
   WriteImage(folder / "unknown.exr", bright, PixelType::kFloat);
   ExpectError([&] { LoadImages({folder / "unknown.exr"}); }, {"unknown.exr", "nan", "finite"});
   const std::string file = WriteWavyImage(folder / "a.png", 20, 10);
   ExpectError([&] { LoadImages({file, file}); }, {"a.png", "twice"});
+}
+
+TEST(LoadImages, ToneMapsLinearSequences) {
+  const TemporaryFolder folder;
+  const Sequence linear =
+      WritePan(folder / "linear", {.frames = 2, .color_space = ColorSpace::kLinear});
+  WriteWavyImage(folder / "a.png", 20, 10);
+  int tone_mapped = 0;
+  const std::vector<TrainImage> images =
+      LoadImages({folder / "linear", folder / "a.png"}, &tone_mapped);
+  ASSERT_EQ(images.size(), 3U);
+  EXPECT_EQ(tone_mapped, 2);
+  EXPECT_EQ(ToneMappedText(0, 3), "");
+  EXPECT_NE(ToneMappedText(2, 3).find("2 of 3 images"), std::string::npos);
+  Image expected = LoadFrame(linear, 1, Streams::kReference).reference;
+  for (std::size_t p = 0; p < expected.pixels(); ++p) {
+    ToDisplay(ColorEncoding::kLinearHdr, &expected.data[3 * p]);
+  }
+  EXPECT_EQ(images[1].image.data, expected.data);
+}
+
+TEST(DisplayedImage, GreyCountsAsThreeEqualChannels) {
+  Image grey(1, 1, 1), rgb(1, 1, 3);
+  grey.data = {3};
+  rgb.data = {3, 3, 3};
+  EXPECT_EQ(DisplayedImage(grey, ColorEncoding::kLinearHdr).data[0],
+            DisplayedImage(rgb, ColorEncoding::kLinearHdr).data[1]);
+  EXPECT_EQ(DisplayedImage(rgb, ColorEncoding::kDisplay).data, rgb.data);
 }
 
 TEST(LoadImages, DropsAlpha) {
