@@ -18,6 +18,7 @@
 #include "tools/warning.h"
 #include "train/calibration/clip_crop.h"
 #include "train/calibration/clip_loss.h"
+#include "train/replay/judged_frames.h"
 #include "train/replay/parameters_file.h"
 
 namespace warplut {
@@ -79,11 +80,12 @@ std::vector<int> FittedOf(const CalibrateArguments& arguments,
   return {fitted.begin(), fitted.end()};
 }
 
-std::vector<Part> PartsOf(const CalibrateArguments& arguments, const Pipeline& pipeline) {
+std::vector<Part> PartsOf(const CalibrateArguments& arguments, const Pipeline& pipeline,
+                          const std::vector<const MethodInfo*>& methods) {
   std::vector<Part> parts;
   std::set<std::string> names;
   for (const std::string& path : arguments.sequences) {
-    Part part{.sequence = ReadSequenceFor(pipeline, path), .range = {}};
+    Part part{.sequence = ReadSequenceFor(pipeline, path, methods), .range = {}};
     const std::string& name = part.sequence.name;
     if (!names.insert(name).second) {
       throw Error(fmt::format("two sequences have the name '{}'; expected different ones", name));
@@ -128,8 +130,13 @@ std::vector<ClipRun> RunsOf(const CalibrateArguments& arguments, const Pipeline&
       if ((method->generation != Generation::kNone) == generates) same.push_back(method);
     }
     if (same.empty()) continue;
+    Streams judging = Streams::kNone;
+    for (const MethodInfo* method : same) {
+      judging = judging | JudgingStreams(*method, AvailableStreams(part.sequence));
+    }
     const auto clip = std::make_shared<const Clip>(
-        CropClip(pipeline.Load(part.sequence, part.range, same, Streams::kReference, every),
+        CropClip(pipeline.Load(part.sequence, part.range, same,
+                               judging & (Streams::kReference | Streams::kColor), every),
                  arguments.max_pixels));
     for (const MethodInfo* method : same) {
       runs.push_back({.clip = clip, .options = pipeline.Options(*method, every)});
@@ -222,8 +229,9 @@ CalibrationOptions OptionsOf(const CalibrateArguments& arguments,
 ExitCode RunCalibrate(CalibrateArguments arguments) {
   if (!arguments.generated_given) arguments.pipeline.generated = std::max(1, arguments.every - 1);
   const std::vector<const MethodInfo*> methods = AsUsage([&] {
+    std::vector<const MethodInfo*> known = MethodsOf(arguments.modes);
     CheckArguments(arguments.pipeline);
-    return MethodsOf(arguments.modes);
+    return known;
   });
   CalibrationOptions options = OptionsOf(arguments, methods);
   const ThreadLimit limit(arguments.pipeline.threads);
@@ -232,7 +240,7 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
   RequireWritable(options.checkpoint);
 
   const Pipeline pipeline(arguments.pipeline);
-  const std::vector<Part> parts = PartsOf(arguments, pipeline);
+  const std::vector<Part> parts = PartsOf(arguments, pipeline, methods);
   const Split split = LoadParts(arguments, pipeline, methods, parts);
   options.data = DataText(arguments, pipeline, parts);
   ThreadPool pool(arguments.pipeline.threads);

@@ -108,7 +108,7 @@ std::string ToText(const Sequence& sequence, const std::vector<StreamInspection>
   }
   text += ToText(table) + "Depth is without background; motion is its length in pixels.\n";
   for (const StreamInspection& stream : streams) {
-    for (const std::string& problem : stream.problems) text += problem + "\n";
+    if (!stream.problems.empty()) text += ProblemText(stream) + "\n";
   }
   return text;
 }

@@ -52,6 +52,7 @@ MethodList JudgedMethods(const std::vector<std::string>& modes) {
 // generate run on.
 struct LoadedSequence {
   std::string name;
+  std::vector<std::string> notes;
   Clip truth;
   std::optional<Clip> sparse;
 
@@ -62,7 +63,7 @@ struct LoadedSequence {
 
 LoadedSequence LoadSequence(const SequenceEvalArguments& arguments, const Pipeline& pipeline,
                             const std::string& path, const MethodList& methods) {
-  const Sequence sequence = ReadSequenceFor(pipeline, path);
+  const Sequence sequence = ReadSequenceFor(pipeline, path, methods);
   const FrameRange range = ParseFrames(arguments.pipeline.frames, sequence);
   MethodList dense, sparse;
   for (const MethodInfo* method : methods) {
@@ -70,7 +71,12 @@ LoadedSequence LoadSequence(const SequenceEvalArguments& arguments, const Pipeli
   }
   LoadedSequence loaded;
   loaded.name = sequence.name + (arguments.pipeline.texels ? ", texels" : "");
-  loaded.truth = pipeline.Load(sequence, range, dense, kTruthStreams, 1);
+  loaded.notes = JudgingNotes(sequence, methods);
+  Streams truth = Streams::kNone;
+  for (const MethodInfo* method : methods) {
+    truth = truth | JudgingStreams(*method, AvailableStreams(sequence));
+  }
+  loaded.truth = pipeline.Load(sequence, range, dense, truth, 1);
   if (!sparse.empty()) {
     loaded.sparse = pipeline.Load(sequence, range, sparse, Streams::kNone, arguments.every);
   }
@@ -90,7 +96,7 @@ class SequenceEval {
 
   SequenceReport Judge(const std::string& path) {
     const LoadedSequence loaded = LoadSequence(arguments_, pipeline_, path, methods_);
-    SequenceReport report{.sequence = loaded.name, .methods = {}};
+    SequenceReport report{.sequence = loaded.name, .methods = {}, .notes = loaded.notes};
     Progress progress("judging " + loaded.name, static_cast<double>(methods_.size()), "methods");
     for (const MethodInfo* method : methods_) {
       SequenceJudge judge(loaded.truth, *method, arguments_.border, arguments_.settled);
@@ -212,6 +218,7 @@ ExitCode RunSequenceEval(const SequenceEvalArguments& arguments) {
     for (const SequenceReport& report : reports) {
       const TextTable table = MethodTable(report);
       Print((arguments.markdown ? ToMarkdown(table) : ToText(table)) + "\n");
+      for (const std::string& note : report.notes) Print(note + "\n");
     }
     for (const std::string& line : eval.pictures()) Print(line + "\n");
     for (const std::string& sentence : missed) Print("missed: " + sentence + "\n");

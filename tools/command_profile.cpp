@@ -53,7 +53,7 @@ class Content {
   Content(const ProfileArguments& arguments, const Pipeline& pipeline, const MethodInfo& method)
       : arguments_(arguments), pipeline_(pipeline), method_(method) {
     for (const std::string& path : arguments.sequences) {
-      sequences_.push_back(ReadSequenceFor(pipeline, path));
+      sequences_.push_back(ReadSequenceFor(pipeline, path, {&method}));
       if (sequences_.back().color_space != sequences_.front().color_space) {
         throw Error(fmt::format(
             "'{}' and '{}' have different colour spaces; a pipeline is profiled for one",
@@ -88,7 +88,7 @@ class Content {
     for (const Sequence& sequence : sequences_) {
       names.push_back({.name = sequence.name,
                        .sha1 = Sha1OfFile(sequence.folder / Sequence::kManifest),
-                       .has_reference = Contains(AvailableStreams(sequence), Streams::kReference)});
+                       .has_reference = HasReference(sequence)});
     }
     return names;
   }
@@ -103,9 +103,16 @@ class Content {
     }
     const Streams truth = AvailableStreams(sequence) & kTruthStreams;
     clip.truth = LoadClip(sequence, range.first, range.count, truth);
-    clip.has_reference = Contains(truth, Streams::kReference);
+    clip.has_reference = HasReference(sequence);
     WarnOfLimitedColor({&clip.input, &clip.truth});
     return clip;
+  }
+
+  // Whether the method's frames are on the grid of references.
+  bool HasReference(const Sequence& sequence) const {
+    const Streams available = AvailableStreams(sequence);
+    return Contains(available, Streams::kReference) &&
+           (method_.super_resolution || GeneratesFromReferences(available));
   }
 
   const ProfileArguments& arguments_;
@@ -183,8 +190,9 @@ ExitCode RunProfile(ProfileArguments arguments) {
   RequireUsage(arguments.within >= 0 && std::isfinite(arguments.within),
                fmt::format("--within is {}; expected at least 0", arguments.within));
   const MethodInfo* method = AsUsage([&] {
+    const MethodInfo* known = &ProfiledMethod(arguments);
     CheckArguments(arguments.pipeline);
-    return &ProfiledMethod(arguments);
+    return known;
   });
   const std::filesystem::path out = arguments.out;
   RequireWritable(out);

@@ -1,6 +1,7 @@
 // warplut run: a method over a sequence, its frames as files.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,12 +15,13 @@
 #include "tools/shown_file.h"
 #include "tools/thread_limit.h"
 #include "tools/warning.h"
+#include "train/replay/judged_frames.h"
 
 namespace warplut {
 namespace {
 
 struct RunArguments {
-  std::string mode;
+  std::vector<std::string> modes;
   std::string sequence;
   std::string out;
   std::string format;
@@ -39,66 +41,135 @@ ShownFormat FormatOf(const RunArguments& arguments, const Sequence& sequence) {
   return arguments.format == "exr" ? ShownFormat::kExr : ShownFormat::kPng;
 }
 
-// The clip that a method's frames are judged by, when it is not the clip that it runs on.
-Clip LoadTruth(const Sequence& sequence, const FrameRange& range) {
-  return LoadClip(sequence, range.first, range.count, kTruthStreams);
-}
-
 double ShownFrames(const ModeRunOptions& options, int count) {
   const int rendered = (count - 1) / options.every + 1;
   if (options.method->generation == Generation::kNone) return rendered;
   return rendered + (rendered - 1.0) * static_cast<double>(Alphas(options).size());
 }
 
-ExitCode Run(const RunArguments& arguments) {
-  const MethodInfo* method = AsUsage([&] {
-    CheckArguments(arguments.pipeline);
-    return &MethodOf(arguments.mode);
-  });
-  const ThreadLimit limit(arguments.pipeline.threads);
-  const Pipeline pipeline(arguments.pipeline);
-  const Sequence sequence = ReadSequenceFor(pipeline, arguments.sequence);
-  const ShownFormat format = FormatOf(arguments, sequence);
-  const FrameRange range = ParseFrames(arguments.pipeline.frames, sequence);
-
-  RequireWritableFolder(arguments.out);
-  const ModeRunOptions options = pipeline.Options(*method, arguments.every);
-  const Clip clip = pipeline.Load(sequence, range, {method}, Streams::kNone, arguments.every);
-  std::string why;
-  if (!options.IsValid(clip, &why)) throw Error(why);
-  std::optional<Clip> truth;
-  std::optional<SequenceJudge> judge;
-  if (arguments.score) {
-    truth = LoadTruth(sequence, range);
-    judge.emplace(*truth, *method, kScoreBorder, arguments.settled);
-  }
-  WarnOfLimitedColor({&clip, truth ? &*truth : nullptr});
-
-  const std::filesystem::path folder = arguments.out;
-  CreateFolder(folder);
-  const int first = clip.frames.front().number;
+// What one mode wrote.
+struct ModeOutput {
+  std::string mode;
+  std::filesystem::path folder;
   Json files = Json::array();
-  {
-    Progress progress("running " + arguments.mode,
+  std::optional<SequenceReport> scores;
+};
+
+std::vector<const MethodInfo*> MethodsOf(const std::vector<std::string>& modes) {
+  std::vector<const MethodInfo*> methods;
+  for (const std::string& mode : modes) {
+    const MethodInfo& method = MethodOf(mode);
+    if (std::find(methods.begin(), methods.end(), &method) != methods.end()) {
+      throw Error(fmt::format("--mode has {} twice; expected it once", mode));
+    }
+    methods.push_back(&method);
+  }
+  return methods;
+}
+
+class Runner {
+ public:
+  explicit Runner(const RunArguments& arguments)
+      : arguments_(arguments),
+        methods_(AsUsage([&] {
+          std::vector<const MethodInfo*> methods = MethodsOf(arguments.modes);
+          CheckArguments(arguments.pipeline);
+          return methods;
+        })),
+        pipeline_(arguments.pipeline),
+        sequence_(ReadSequenceFor(pipeline_, arguments.sequence, methods_)),
+        format_(FormatOf(arguments, sequence_)),
+        range_(ParseFrames(arguments.pipeline.frames, sequence_)),
+        pool_(arguments.pipeline.threads) {}
+
+  std::vector<ModeOutput> Run() {
+    RequireWritableFolder(arguments_.out);
+    // A stream that a later mode lacks is told before the first one runs.
+    for (const MethodInfo* method : methods_) {
+      LoadFrame(sequence_, range_.first, NeededStreams(*method, AvailableStreams(sequence_)));
+    }
+    std::vector<ModeOutput> outputs;
+    for (const MethodInfo* method : methods_) outputs.push_back(RunOne(*method));
+    return outputs;
+  }
+
+  const Sequence& sequence() const { return sequence_; }
+  const std::string& filter_name() const { return pipeline_.filter_name(); }
+
+ private:
+  ModeOutput RunOne(const MethodInfo& method) {
+    const ModeRunOptions options = pipeline_.Options(method, arguments_.every);
+    const Clip clip = pipeline_.Load(sequence_, range_, {&method}, Streams::kNone, options.every);
+    std::string why;
+    if (!options.IsValid(clip, &why)) throw Error(why);
+    std::optional<Clip> truth;
+    std::optional<SequenceJudge> judge;
+    if (arguments_.score) {
+      truth = LoadClip(sequence_, range_.first, range_.count,
+                       JudgingStreams(method, AvailableStreams(sequence_)));
+      judge.emplace(*truth, method, kScoreBorder, arguments_.settled);
+    }
+    WarnOfLimitedColor({&clip, truth ? &*truth : nullptr});
+    ModeOutput output;
+    output.mode = method.name;
+    output.folder = arguments_.out;
+    if (methods_.size() > 1) output.folder /= output.mode;
+    CreateFolder(output.folder);
+    const int first = clip.frames.front().number;
+    Progress progress("running " + output.mode,
                       ShownFrames(options, static_cast<int>(clip.frames.size())), "frames");
-    ThreadPool pool(arguments.pipeline.threads);
-    RunMode(clip, options, pool, [&](const ShownFrame& shown) {
+    RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
       ThrowIfInterrupted("run", "the frames that are written are whole");
-      WriteShownFrame(folder, first, shown, clip.encoding, format);
-      files.push_back(ShownFileName(first, shown.time, format));
+      WriteShownFrame(output.folder, first, shown, clip.encoding, format_);
+      output.files.push_back(ShownFileName(first, shown.time, format_));
       if (judge) judge->Add(shown);
       progress.Add(1);
     });
-  }
-  if (arguments.json) {
-    Json document = {{"out", arguments.out}, {"filter", pipeline.filter_name()}, {"files", files}};
     if (judge) {
-      document["scores"] = ToJson(SequenceReport{sequence.name, {judge->Finish()}});
+      output.scores = SequenceReport{.sequence = sequence_.name,
+                                     .methods = {judge->Finish()},
+                                     .notes = JudgingNotes(sequence_, {&method})};
+    }
+    return output;
+  }
+
+  const RunArguments& arguments_;
+  const std::vector<const MethodInfo*> methods_;
+  const Pipeline pipeline_;
+  const Sequence sequence_;
+  const ShownFormat format_;
+  const FrameRange range_;
+  ThreadPool pool_;
+};
+
+Json ToJson(const ModeOutput& output) {
+  Json json = {{"out", output.folder.string()}, {"files", output.files}};
+  if (output.scores) json["scores"] = ToJson(*output.scores);
+  return json;
+}
+
+ExitCode Run(const RunArguments& arguments) {
+  const ThreadLimit limit(arguments.pipeline.threads);
+  Runner runner(arguments);
+  const std::vector<ModeOutput> outputs = runner.Run();
+  if (arguments.json) {
+    Json document = {{"out", arguments.out}, {"filter", runner.filter_name()}};
+    if (outputs.size() == 1) document.update(ToJson(outputs.front()));
+    for (const ModeOutput& output : outputs) {
+      if (outputs.size() > 1) document["modes"][output.mode] = ToJson(output);
     }
     PrintJson(document);
-  } else {
-    Print(fmt::format("{} frames of {} in {}\n", files.size(), sequence.name, arguments.out));
-    if (judge) Print(ToText(FrameTable(judge->Finish())));
+    return ExitCode::kDone;
+  }
+  for (const ModeOutput& output : outputs) {
+    Print(fmt::format("{} frames of {} in {}\n", output.files.size(), runner.sequence().name,
+                      output.folder.string()));
+    if (!output.scores) continue;
+    Print(ToText(FrameTable(output.scores->methods.front())));
+    const bool generates = MethodOf(output.mode).generation != Generation::kNone;
+    Print(fmt::format("Judged without {} pixels at each edge{}.\n", kScoreBorder,
+                      generates ? "" : " and without the first frame, which has no history"));
+    for (const std::string& note : output.scores->notes) Print(note + "\n");
   }
   return ExitCode::kDone;
 }
@@ -114,7 +185,11 @@ void AddRunCommand(CLI::App& app, CommandRun* run) {
   for (const MethodInfo& method : Methods()) {
     modes += fmt::format("{}{}: {}", modes.empty() ? "" : "; ", method.name, method.meaning);
   }
-  command->add_option("--mode", a.mode, "Method to run: " + modes)->required();
+  command
+      ->add_option("--mode", a.modes,
+                   "Methods to run, separated by commas; several write into OUT/MODE each: " + modes)
+      ->delimiter(',')
+      ->required();
   command->add_option("--sequence", a.sequence, "Sequence to read: a sequence.json or its folder")
       ->required();
   command->add_option("--out", a.out, "Folder for the frames")->required();

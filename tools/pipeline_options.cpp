@@ -1,5 +1,7 @@
 #include "tools/pipeline_options.h"
 
+#include <algorithm>
+
 #include "tools/judge/protocol_filter.h"
 #include "tools/warning.h"
 
@@ -51,8 +53,13 @@ CLI::Option* AddSettledOption(CLI::App& command, int* settled) {
       ->check(CLI::Range(1, 1 << 20));
 }
 
-Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path) {
+Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path,
+                         const std::vector<const MethodInfo*>& methods) {
   Sequence sequence = ReadSequence(path);
+  if (std::none_of(methods.begin(), methods.end(),
+                   [](const MethodInfo* method) { return HasHistory(*method); })) {
+    return sequence;
+  }
   if (const auto warning = pipeline.ScaleWarning(sequence)) Warn(*warning);
   return sequence;
 }

@@ -19,7 +19,9 @@ void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments);
 // Adds --settled and returns it.
 CLI::Option* AddSettledOption(CLI::App& command, int* settled);
 
-// The reader of a sequence for a command: the manifest, and a warning where the LUT was fitted for another scale.
-Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path);
+// Reads the sequence for a command that runs these methods: the manifest, and a warning where the
+// LUT was fitted for another scale and one of them keeps a history, whose warps depend on the scale.
+Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path,
+                         const std::vector<const MethodInfo*>& methods);
 
 }  // namespace warplut

@@ -1,5 +1,7 @@
 #include "tools/sequence_inspection.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -62,6 +64,14 @@ void AddImage(const Image& image, Range& range) {
 }
 
 }  // namespace
+
+std::string ProblemText(const StreamInspection& stream) {
+  if (stream.problems.empty()) return "";
+  const std::size_t more = stream.problems.size() - 1;
+  if (more == 0) return stream.problems.front();
+  return fmt::format("{} ({} more {} of '{}' cannot be loaded)", stream.problems.front(), more,
+                     more == 1 ? "frame" : "frames", stream.name);
+}
 
 std::vector<StreamInspection> InspectSequence(const Sequence& sequence,
                                               const std::function<void()>& on_load) {

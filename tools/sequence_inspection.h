@@ -22,6 +22,9 @@ struct StreamInspection {
   std::vector<std::string> problems;  // one sentence for each frame that could not be loaded
 };
 
+// The first problem of a stream, and how many more there are; empty without problems.
+std::string ProblemText(const StreamInspection& stream);
+
 // Loads every frame of every stream that the manifest names. `on_load` is called after each; what
 // it throws ends the inspection.
 std::vector<StreamInspection> InspectSequence(const Sequence& sequence,

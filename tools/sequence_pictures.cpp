@@ -9,6 +9,7 @@
 #include "datasets/file.h"
 #include "datasets/image_io.h"
 #include "tools/judge/sequence_scores.h"
+#include "train/replay/judged_frames.h"
 
 namespace warplut {
 namespace {
@@ -26,7 +27,7 @@ PictureWindow Heaviest(const char* kind, int frame, int width, int height, const
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) block(x / kStep, y / kStep) += weight(x, y);
   }
-  PictureWindow best{.kind = kind, .frame = frame, .x = 0, .y = 0, .weight = 0};
+  PictureWindow best{.kind = kind, .frame = frame};
   for (int j = 0; j < std::max(rows - 1, 1); ++j) {
     for (int i = 0; i < std::max(columns - 1, 1); ++i) {
       double sum = block(i, j);
@@ -87,8 +88,11 @@ std::vector<PictureWindow> HeaviestOf(std::vector<PictureWindow> windows) {
 void WindowChooser::Add(const ShownFrame& shown) {
   if (shown.frame < 0) return;
   const ClipFrame& truth = truth_.frames[static_cast<std::size_t>(shown.frame)];
+  const TrueFrame known = TrueFrameOf(truth, shown.image.width, shown.image.height);
   const Image image = JudgedImage(shown.image, truth_.encoding);
-  const Image reference = JudgedImage(truth.reference.view(), truth_.encoding);
+  const Image reference = JudgedImage(known.image, truth_.encoding);
+  width_ = image.width;
+  height_ = image.height;
   errors_.push_back(Heaviest("error", shown.frame, image.width, image.height, [&](int x, int y) {
     double sum = 0;
     for (int c = 0; c < 3; ++c) {
@@ -97,10 +101,11 @@ void WindowChooser::Add(const ShownFrame& shown) {
     }
     return sum;
   }));
-  if (shown.frame == 0 || truth.cut) return;
-  const FrameGeometry now = ReferenceGeometry(truth);
-  const FrameGeometry before =
-      ReferenceGeometry(truth_.frames[static_cast<std::size_t>(shown.frame - 1)]);
+  if (shown.frame == 0 || truth.cut || !known.HasGeometry()) return;
+  const TrueFrame known_before =
+      TrueFrameOf(truth_.frames[static_cast<std::size_t>(shown.frame - 1)], width_, height_);
+  const FrameGeometry now = {known.depth, known.motion};
+  const FrameGeometry before = {known_before.depth, known_before.motion};
   disocclusions_.push_back(
       Heaviest("disocclusion", shown.frame, image.width, image.height,
                [&](int x, int y) { return WasVisible(now, before, x, y) ? 0.0 : 1.0; }));
@@ -109,6 +114,10 @@ void WindowChooser::Add(const ShownFrame& shown) {
 std::vector<PictureWindow> WindowChooser::Windows() const {
   std::vector<PictureWindow> windows = HeaviestOf(errors_);
   for (const PictureWindow& window : HeaviestOf(disocclusions_)) windows.push_back(window);
+  for (PictureWindow& window : windows) {
+    window.image_width = width_;
+    window.image_height = height_;
+  }
   return windows;
 }
 
@@ -116,7 +125,8 @@ SequencePictures::SequencePictures(const Clip& truth, std::vector<PictureWindow>
     : truth_(truth) {
   for (PictureWindow& window : windows) {
     const ClipFrame& frame = truth.frames[static_cast<std::size_t>(window.frame)];
-    const Image reference = JudgedImage(frame.reference.view(), truth.encoding);
+    const Image reference = JudgedImage(
+        TrueFrameOf(frame, window.image_width, window.image_height).image, truth.encoding);
     Image panel = Enlarged(reference, window);
     pictures_.push_back(
         {.window = std::move(window), .names = {"reference"}, .panels = {std::move(panel)}});
@@ -124,7 +134,10 @@ SequencePictures::SequencePictures(const Clip& truth, std::vector<PictureWindow>
 }
 
 void SequencePictures::Add(const std::string& method, const ShownFrame& shown) {
-  const auto wanted = [&](const Picture& picture) { return picture.window.frame == shown.frame; };
+  const auto wanted = [&](const Picture& picture) {
+    return picture.window.frame == shown.frame && picture.window.image_width == shown.image.width &&
+           picture.window.image_height == shown.image.height;
+  };
   if (std::none_of(pictures_.begin(), pictures_.end(), wanted)) return;
   const Image image = JudgedImage(shown.image, truth_.encoding);
   for (Picture& picture : pictures_) {

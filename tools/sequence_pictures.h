@@ -20,6 +20,7 @@ struct PictureWindow {
   int frame = 0;     // index in the clip
   int x = 0, y = 0;
   double weight = 0;  // squared error in it, or number of pixels that were not visible before
+  int image_width = 0, image_height = 0;  // of the image that it lies in
 };
 
 // Finds the windows of the frames that one method is judged by where its squared error is largest, and those where most was just
@@ -37,9 +38,11 @@ class WindowChooser {
  private:
   const Clip& truth_;
   std::vector<PictureWindow> errors_, disocclusions_;  // the heaviest of each frame
+  int width_ = 0, height_ = 0;                         // of the images
 };
 
-// One picture for each window: the reference, then every method that showed its frame, in the order they came.
+// One picture for each window: the true frame, then every method that showed it in that size, in
+// the order they came.
 class SequencePictures {
  public:
   SequencePictures(const Clip& truth, std::vector<PictureWindow> windows);

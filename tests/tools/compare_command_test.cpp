@@ -9,6 +9,7 @@
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/program.h"
 #include "tests/tools/test_images.h"
+#include "tests/train/replay/pan_sequence.h"
 #include "tools/judge/compare.h"
 
 namespace warplut {
@@ -66,7 +67,8 @@ TEST_F(CompareCommand, ScoresEveryFrameAndTheMean) {
   const ProgramResult text = RunWarplut({"compare", Folder("a"), Folder("b")});
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_TRUE(text.err.empty()) << text.err;
-  EXPECT_THAT(text.out, testing::AllOf(testing::HasSubstr("0.png"), testing::HasSubstr("mean")));
+  EXPECT_THAT(text.out, testing::AllOf(testing::HasSubstr("0.png"), testing::HasSubstr("mean"),
+                                       testing::HasSubstr("Compared as stored, border 0.\n")));
 
   const ProgramResult json = RunWarplut({"compare", Folder("a"), Folder("b"), "--json"});
   const auto document = nlohmann::json::parse(json.out);
@@ -87,6 +89,39 @@ TEST_F(CompareCommand, NamesTheFileWithoutAPartner) {
   WriteWavyImage(Folder("b") + "/2.png", 32, 24);
   ExpectRefused(RunWarplut({"compare", Folder("a"), Folder("b")}), 2, "2.png");
   ExpectRefused(RunWarplut({"compare", Folder("b"), Folder("a")}), 2, "2.png");
+}
+
+TEST_F(CompareCommand, LinearFramesScoreAsRunScoresThem) {
+  WritePan(folder_ / "pan", {.frames = 4, .color_space = ColorSpace::kLinear});
+  const ProgramResult run =
+      RunWarplut({"run", "--mode", "sr", "--sequence", Folder("pan"), "--filter", "bilinear",
+                  "--out", Folder("out"), "--score", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto scores = nlohmann::json::parse(run.out)["scores"];
+  EXPECT_THAT(scores["notes"][0].get<std::string>(), testing::HasSubstr("as displayed"));
+  // Against the sequence, which says that it is linear, and against files, of which the option says
+  // it.
+  for (const std::string& against : {Folder("pan"), Folder("pan") + "/hr/color"}) {
+    std::vector<std::string> arguments = {"compare",  Folder("out"), against,
+                                          "--border", "5",           "--json"};
+    if (against != Folder("pan")) arguments.push_back("--linear");
+    const ProgramResult compare = RunWarplut(arguments);
+    ASSERT_EQ(compare.code, 0) << compare.err;
+    const auto document = nlohmann::json::parse(compare.out);
+    EXPECT_EQ(document["domain"], "displayed");
+    EXPECT_EQ(document["border"], 5);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& judged = scores["methods"][0]["frames"][i];
+      EXPECT_NEAR(document["frames"][i + 1]["psnr"].get<double>(), judged["psnr"].get<double>(),
+                  1e-6);
+      EXPECT_NEAR(document["frames"][i + 1]["ssim"].get<double>(), judged["ssim"].get<double>(),
+                  1e-9);
+    }
+  }
+  const ProgramResult stored =
+      RunWarplut({"compare", Folder("out"), Folder("pan") + "/hr/color", "--border", "5"});
+  EXPECT_THAT(stored.out, testing::HasSubstr("as stored, border 5. Of linear HDR, --linear"));
+  ExpectRefused(RunWarplut({"compare", Folder("b"), Folder("b"), "--linear"}), 2, "0.png");
 }
 
 }  // namespace

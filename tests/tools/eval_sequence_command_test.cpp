@@ -94,6 +94,51 @@ TEST_F(EvalSequenceCommand, WritesPictures) {
   EXPECT_GE(pictures, kWindowsOfAKind);
 }
 
+TEST_F(EvalSequenceCommand, NeedsOfReferencesTheirColourAlone) {
+  const Streams streams = Streams::kRenderGrid | Streams::kReference;
+  WritePan(folder_ / "bare", {.streams = streams});
+  const auto eval = [&](const std::string& modes, const std::string& sequence,
+                        const std::vector<std::string>& more = {}) {
+    return RunWarplut(CommandLine({"eval", "--sequence", Path(sequence), "--filter", "catmull-rom"},
+                                  {{"--modes", modes}}, more));
+  };
+  const ProgramResult bare = eval("sr,i", "bare", {"--json"});
+  ASSERT_EQ(bare.code, 0) << bare.err;
+  const auto sequence = nlohmann::json::parse(bare.out)["sequences"][0];
+  const auto full =
+      nlohmann::json::parse(eval("sr", "pan", {"--json"}).out)["sequences"][0]["methods"][0];
+  const auto& sr = sequence["methods"][0];
+  EXPECT_EQ(sr["psnr"], full["psnr"]);
+  EXPECT_EQ(sr["ssim"], full["ssim"]);
+  EXPECT_TRUE(sr["temporal_error"].is_null());
+  EXPECT_TRUE(full["temporal_error"].is_number());
+  const auto& i = sequence["methods"][1];
+  EXPECT_EQ(i["frames"].size(), 2U);
+  EXPECT_GT(i["psnr"].get<double>(), 10);
+  EXPECT_TRUE(i["temporal_error"].is_number()) << "the render grid has depth and motion";
+  ASSERT_EQ(sequence["notes"].size(), 2U);
+  EXPECT_THAT(sequence["notes"][0].get<std::string>(),
+              testing::AllOf(HasSubstr("no reference_depth and reference_motion"),
+                             HasSubstr("for sr, bilinear, bicubic")));
+  EXPECT_THAT(sequence["notes"][1].get<std::string>(), HasSubstr("i, repeat, average are made"));
+  EXPECT_THAT(eval("sr", "bare").out, HasSubstr("no temporal error"));
+  EXPECT_EQ(eval("sr,i", "bare", {"--pictures", Path("pictures")}).code, 0);
+  EXPECT_EQ(RunWarplut({"run", "--mode", "i", "--every", "2", "--score", "--sequence", Path("bare"),
+                        "--filter", "bilinear", "--out", Path("out")})
+                .code,
+            0);
+}
+
+TEST_F(EvalSequenceCommand, JudgesGenerationWithoutReferencesByRenderedFrames) {
+  // Without jitter the rendered frames of a pan are true frames of one pan.
+  WritePan(folder_ / "blind", {.streams = Streams::kRenderGrid, .jitter = false});
+  const ProgramResult result = RunWarplut(
+      {"eval", "--sequence", Path("blind"), "--filter", "catmull-rom", "--modes", "i", "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto methods = nlohmann::json::parse(result.out)["sequences"][0]["methods"];
+  EXPECT_GT(methods[0]["psnr"].get<double>(), methods[2]["psnr"].get<double>()) << "average";
+}
+
 TEST_F(EvalSequenceCommand, RefusesWhatMakesNoSense) {
   ExpectRefused(RunWarplut({"eval"}), 1, "--images or --sequence");
   ExpectRefused(RunWarplut({"eval", "--images", Path("pan")}), 1, "--lut");

@@ -8,8 +8,10 @@
 
 #include "datasets/file.h"
 #include "datasets/image_io.h"
+#include "luts/fit/fit.h"
 #include "runtime/color_encoding.h"
 #include "tests/datasets/temporary_folder.h"
+#include "tests/luts/test_fits.h"
 #include "tests/tools/program.h"
 #include "tests/train/replay/pan_sequence.h"
 
@@ -129,6 +131,38 @@ TEST_F(RunCommand, ScoresWhatItWrites) {
   ExpectRefused(RunWarplut(Arguments("i", {"--score"})), kFailed, "showed no frame");
 }
 
+TEST_F(RunCommand, TakesSeveralModesEachIntoItsFolder) {
+  const ProgramResult result = RunWarplut(Arguments("sr,i", {"--every", "2", "--score", "--json"}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto modes = nlohmann::json::parse(result.out)["modes"];
+  EXPECT_EQ(modes["sr"]["files"].size(), 3U);
+  EXPECT_EQ(modes["i"]["files"].size(), 5U);
+  EXPECT_GT(modes["i"]["scores"]["methods"][0]["psnr"].get<double>(), 20);
+  EXPECT_EQ(modes["sr"]["out"], Path("out/sr"));
+  ASSERT_EQ(RunWarplut(Arguments("i", {"--every", "2", "--out", Path("alone")})).code, 0);
+  EXPECT_EQ(Files("out/i"), Files("alone"));
+  for (const std::string& file : Files("alone")) {
+    EXPECT_EQ(ReadFile(Path("out/i/" + file)), ReadFile(Path("alone/" + file))) << file;
+  }
+  EXPECT_THAT(RunWarplut(Arguments("sr,sr-sample")).out,
+              testing::AllOf(HasSubstr(Path("out/sr") + "\n"), HasSubstr("out/sr-sample")));
+  ExpectRefused(RunWarplut(Arguments("sr,i,sr")), kUsage, "--mode has sr twice");
+}
+
+TEST_F(RunCommand, WarnsOfTheScaleOnlyWhereAHistoryIsKept) {
+  WriteFit(folder_ / "fit.json", MakeFit(0, 1, "fit"));  // for x2
+  WritePan(folder_ / "x1", {.output = {40, 32}});
+  const auto run = [&](const std::string& mode) {
+    return RunWarplut({"run", "--mode", mode, "--every", "2", "--sequence", Path("x1"), "--lut",
+                       Path("fit.json"), "--out", Path("out")});
+  };
+  const ProgramResult sr = run("sr"), i = run("i");
+  EXPECT_EQ(sr.code, 0) << sr.err;
+  EXPECT_THAT(sr.err, HasSubstr("was fitted for x2"));
+  EXPECT_EQ(i.code, 0);
+  EXPECT_TRUE(i.err.empty()) << i.err;
+}
+
 TEST_F(RunCommand, TheSameFilesForAnyNumberOfThreads) {
   ASSERT_EQ(RunWarplut(Arguments("esr", {"--threads", "1"})).code, 0);
   ASSERT_EQ(RunWarplut(Arguments("esr", {"--threads", "3", "--out", Path("three")})).code, 0);
@@ -143,6 +177,13 @@ TEST_F(RunCommand, RefusesWhatMakesNoSense) {
   ExpectRefused(
       RunWarplut({"run", "--mode", "sr", "--sequence", Path("pan"), "--out", Path("out")}), kUsage,
       "--lut FILE or --filter");
+  for (const char* command : {"run", "profile", "eval", "calibrate"}) {
+    const std::string option =
+        std::string(command) == "run" || std::string(command) == "profile" ? "--mode" : "--modes";
+    std::vector<std::string> line = {command, option, "srr", "--sequence", Path("pan")};
+    if (std::string(command) != "eval") line.insert(line.end(), {"--out", Path("out")});
+    ExpectRefused(RunWarplut(line), kUsage, "'srr' is not a method");
+  }
   ExpectRefused(RunWarplut(Arguments("i", {"--alpha", "0"})), kUsage, "alpha is 0");
   ExpectRefused(RunWarplut(Arguments("i", {"--alpha", "1.5"})), kUsage, "alpha is 1.5");
   ExpectRefused(RunWarplut(Arguments("i", {"--alpha", ".5,.2"})), kUsage, "ascending");
@@ -181,9 +222,13 @@ TEST_F(RunCommand, NamesTheStreamThatIsAbsent) {
   ExpectRefused(RunWarplut(Arguments("sr", {"--sequence", Path("flat")})), kFailed, "'depth'");
   ExpectRefused(RunWarplut(Arguments("i", {"--sequence", Path("flat")})), kFailed,
                 "'reference_depth'");
-  ExpectRefused(RunWarplut(Arguments("bicubic", {"--sequence", Path("flat"), "--score"})), kFailed,
-                "'reference_depth'");
-  EXPECT_EQ(RunWarplut(Arguments("bicubic", {"--sequence", Path("flat")})).code, 0);
+  ExpectRefused(RunWarplut(Arguments("bicubic,sr", {"--sequence", Path("flat")})), kFailed,
+                "'depth'");
+  EXPECT_FALSE(fs::exists(Path("out")));
+  const ProgramResult scored =
+      RunWarplut(Arguments("bicubic", {"--sequence", Path("flat"), "--score"}));
+  EXPECT_EQ(scored.code, 0) << scored.err;
+  EXPECT_THAT(scored.out, HasSubstr("no reference_depth and reference_motion"));
 }
 
 TEST_F(RunCommand, LinearColourIsWrittenAsExr) {

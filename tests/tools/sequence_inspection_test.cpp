@@ -35,6 +35,18 @@ TEST(InspectSequence, TellsRangesAndProblems) {
   EXPECT_EQ(streams[3].problems.size(), 1U);
 }
 
+TEST(ProblemText, TellsTheFirstAndHowManyMore) {
+  StreamInspection stream;
+  stream.name = "depth";
+  EXPECT_EQ(ProblemText(stream), "");
+  stream.problems = {"a is bad"};
+  EXPECT_EQ(ProblemText(stream), "a is bad");
+  stream.problems.push_back("b is bad");
+  EXPECT_EQ(ProblemText(stream), "a is bad (1 more frame of 'depth' cannot be loaded)");
+  stream.problems.resize(40);
+  EXPECT_EQ(ProblemText(stream), "a is bad (39 more frames of 'depth' cannot be loaded)");
+}
+
 TEST(SelectScenes, PartsMakeTheWhole) {
   EXPECT_EQ(SelectScenes("training").size() + SelectScenes("held-out").size(),
             SelectScenes("all").size());

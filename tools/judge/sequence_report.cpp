@@ -84,7 +84,7 @@ TextTable FrameTable(const SequenceScores& scores) {
 }
 
 SequenceReport MeanReport(const std::vector<SequenceReport>& reports) {
-  SequenceReport mean{.sequence = "mean", .methods = {}};
+  SequenceReport mean{.sequence = "mean", .methods = {}, .notes = {}};
   const auto count = static_cast<double>(reports.size());
   for (std::size_t m = 0; m < reports.front().methods.size(); ++m) {
     SequenceScores scores;
@@ -129,7 +129,7 @@ nlohmann::ordered_json ToJson(const SequenceReport& report) {
     method["frames"] = frames;
     methods.push_back(method);
   }
-  return {{"sequence", report.sequence}, {"methods", methods}};
+  return {{"sequence", report.sequence}, {"methods", methods}, {"notes", report.notes}};
 }
 
 SequenceTarget ParseSequenceTarget(const std::string& text) {

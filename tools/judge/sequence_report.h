@@ -14,6 +14,7 @@ namespace warplut {
 struct SequenceReport {
   std::string sequence;
   std::vector<SequenceScores> methods;
+  std::vector<std::string> notes = {};  // JudgingNotes
 };
 
 // Rows: methods. Columns: PSNR (RGB), SSIM (luma), temporal error; the same settled, where all methods have

@@ -1,6 +1,7 @@
 #include "tools/judge/sequence_scores.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include <utility>
 
 #include "datasets/error.h"
-#include "train/metrics/displayed_color.h"
+#include "tools/judge/image_set.h"
 #include "train/replay/image_views.h"
 #include "train/replay/judged_frames.h"
 
@@ -37,14 +38,47 @@ FrameGeometry ReferenceGeometry(const ClipFrame& frame) {
 }
 
 Image JudgedImage(const ImageView& image, ColorEncoding encoding) {
-  Image judged = ToImage(image);
-  if (encoding == ColorEncoding::kDisplay) return judged;
-  tbb::parallel_for(0, judged.height, [&](int y) {
-    for (int x = 0; x < judged.width; ++x) {
-      ToDisplay(encoding, &judged.data[judged.Index(x, y)]);
+  return DisplayedImage(ToImage(image), encoding);
+}
+
+std::vector<std::string> JudgingNotes(const Sequence& sequence,
+                                      const std::vector<const MethodInfo*>& methods) {
+  const Streams available = AvailableStreams(sequence);
+  std::string by_rendered, without_geometry;
+  for (const MethodInfo* method : methods) {
+    const Streams streams = JudgingStreams(*method, available);
+    const auto add = [&](std::string& names) {
+      names += (names.empty() ? "" : ", ") + std::string(method->name);
+    };
+    if (Contains(streams, Streams::kRenderGrid)) {
+      add(by_rendered);
+    } else if (!Contains(streams, Streams::kOutputGrid)) {
+      add(without_geometry);
     }
-  });
-  return judged;
+  }
+  std::vector<std::string> notes;
+  if (!without_geometry.empty()) {
+    const Streams geometry = Streams::kReferenceDepth | Streams::kReferenceMotion;
+    std::vector<std::string> missing;
+    for (const std::string& name : StreamNames(geometry)) {
+      const auto has = StreamNames(available & geometry);
+      if (std::find(has.begin(), has.end(), name) == has.end()) missing.push_back(name);
+    }
+    notes.push_back(fmt::format("'{}' has no {}: no temporal error is computed for {}.",
+                                sequence.name, fmt::join(missing, " and "), without_geometry));
+  }
+  if (!by_rendered.empty()) {
+    notes.push_back(fmt::format(
+        "'{}' has no references with depth and motion: {} are made from rendered frames and judged "
+        "on the render grid by those that they did not see.",
+        sequence.name, by_rendered));
+  }
+  if (sequence.color_space == ColorSpace::kLinear) {
+    notes.push_back(fmt::format(
+        "The linear HDR of '{}' is judged as displayed, tone-mapped (compare --linear likewise).",
+        sequence.name));
+  }
+  return notes;
 }
 
 SequenceJudge::SequenceJudge(const Clip& truth, const MethodInfo& method, int border, int settled)
@@ -56,13 +90,15 @@ void SequenceJudge::Add(const ShownFrame& shown) {
   if (shown.seconds > 0) seconds_.push_back(shown.seconds);
   if (shown.frame < 0 || (method_.super_resolution && shown.frame == 0)) return;
   const ClipFrame& truth = truth_.frames[static_cast<std::size_t>(shown.frame)];
-  const Image image = JudgedImage(shown.image, truth_.encoding);
-  const Image reference = JudgedImage(truth.reference.view(), truth_.encoding);
-  if (image.width != reference.width || image.height != reference.height) {
+  const TrueFrame known = TrueFrameOf(truth, shown.image.width, shown.image.height);
+  if (known.image.width == 0) {
     throw Error(fmt::format(
         "the method {} shows {} x {} and the reference of '{}' is {} x {}; they cannot be compared",
-        method_.name, image.width, image.height, truth_.name, reference.width, reference.height));
+        method_.name, shown.image.width, shown.image.height, truth_.name,
+        truth.reference.view().width, truth.reference.view().height));
   }
+  const Image image = JudgedImage(shown.image, truth_.encoding);
+  const Image reference = JudgedImage(known.image, truth_.encoding);
   const bool judged = IsJudged(method_, shown);
   const bool settled = scores_.frames.size() >= settled_;
   if (judged) {
@@ -71,12 +107,12 @@ void SequenceJudge::Add(const ShownFrame& shown) {
   }
   Image error = Difference(image, reference);
   TemporalErrorSum sum;
-  const bool has_geometry =
-      truth.reference_depth.view().width > 0 && truth.reference_motion.view().width > 0;
-  if (has_geometry && !previous_error_.empty() && previous_ == shown.frame - 1 && !truth.cut) {
-    const ClipFrame& before = truth_.frames[static_cast<std::size_t>(previous_)];
-    sum = TemporalError(error, ReferenceGeometry(truth), previous_error_, ReferenceGeometry(before),
-                        border_);
+  if (known.HasGeometry() && !previous_error_.empty() && previous_ == shown.frame - 1 &&
+      !truth.cut) {
+    const TrueFrame before = TrueFrameOf(truth_.frames[static_cast<std::size_t>(previous_)],
+                                         shown.image.width, shown.image.height);
+    sum = TemporalError(error, {known.depth, known.motion}, previous_error_,
+                        {before.depth, before.motion}, border_);
     temporal_ += sum;
     if (settled) settled_temporal_ += sum;
   }

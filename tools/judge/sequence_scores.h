@@ -42,18 +42,25 @@ FrameGeometry ReferenceGeometry(const ClipFrame& frame);
 // A shown image as it is judged: R, G, B as a display shows them (train/metrics/displayed_color.h).
 Image JudgedImage(const ImageView& image, ColorEncoding encoding);
 
+// What a reader of scores of these methods on the sequence must know, one sentence each: what could
+// not be judged and which stream it lacks; which frames generation is judged by; in which values
+// linear HDR is judged.
+std::vector<std::string> JudgingNotes(const Sequence& sequence,
+                                      const std::vector<const MethodInfo*>& methods);
+
 // Judges the frames of one run as they are shown. Methods that generate are judged by their generated frames, the others by all
 // but the first, which has no history; in both cases by those that have a reference. The temporal error is over pairs of neighbouring frames of the
 // clip that were both shown, generated or not, judged or not (but not the first of super resolution); a cut ends a pair.
 class SequenceJudge {
  public:
-  // `truth`: a clip with kTruthStreams whose motion is from frame to frame (every = 1); it outlives the judge. Without depth and motion of
-  // the references there is no temporal error. `border`: pixels at each edge that do not count.
-  // `settled`: how many judged frames SettledScores leave out, at least 0; 0: there are none.
+  // `truth`: a clip with JudgingStreams of the method, its motion from frame to frame (every = 1);
+  // it outlives the judge. Where TrueFrameOf has no depth and motion there is no temporal error.
+  // `border`: pixels at each edge that do not count. `settled`: how many judged frames
+  // SettledScores leave out, at least 0; 0: there are none.
   SequenceJudge(const Clip& truth, const MethodInfo& method, int border = kScoreBorder,
                 int settled = 0);
 
-  // Error if the image is not on the output grid or too small (CompareImages).
+  // Error if the image has no true frame of its size or is too small (CompareImages).
   void Add(const ShownFrame& shown);
 
   // Error if no frame could be judged, or none that is settled.

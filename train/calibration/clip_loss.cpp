@@ -21,8 +21,10 @@ class ClipLoss::Judge {
       : run_(std::move(run)), executor_(executor), grid_(CheckedGrid(run_)) {
     const Clip& clip = *run_.clip;
     for (const int frame : JudgedFrames(clip, run_.options)) {
-      const ImageView reference = clip.frames[static_cast<std::size_t>(frame)].reference.view();
-      if (reference.width != clip.output.width) {
+      const GridSize grid = ShownGrid(clip, *run_.options.method);
+      const ImageView reference =
+          TrueFrameOf(clip.frames[static_cast<std::size_t>(frame)], grid.width, grid.height).image;
+      if (reference.width == 0) {
         throw Error(fmt::format(
             "the sequence '{}' has no stream 'reference', by which a calibration judges",
             clip.name));
@@ -72,7 +74,7 @@ class ClipLoss::Judge {
           "the method {} runs with the paper's constants; expected one that can be calibrated",
           method.name));
     }
-    const GridSize grid = run.clip->output;
+    const GridSize grid = ShownGrid(*run.clip, method);
     if (grid.width < kSsimWindow || grid.height < kSsimWindow) {
       throw Error(fmt::format("the frames of '{}' are {} x {}; expected at least {} x {}",
                               run.clip->name, grid.width, grid.height, kSsimWindow, kSsimWindow));

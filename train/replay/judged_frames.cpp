@@ -10,6 +10,31 @@ bool IsJudged(const MethodInfo& method, const ShownFrame& shown) {
   return method.generation == Generation::kNone ? shown.frame > 0 : shown.generated;
 }
 
+Streams JudgingStreams(const MethodInfo& method, Streams available) {
+  const bool rendered = !method.super_resolution && Contains(available, Streams::kRenderGrid) &&
+                        !GeneratesFromReferences(available);
+  if (rendered) return Streams::kRenderGrid | (available & Streams::kOutputGrid);
+  return Streams::kReference | (available & Streams::kOutputGrid);
+}
+
+TrueFrame TrueFrameOf(const ClipFrame& frame, int width, int height) {
+  const auto fits = [&](const auto& view) { return view.width == width && view.height == height; };
+  TrueFrame truth;
+  if (fits(frame.reference.view())) {
+    truth.image = frame.reference.view();
+  } else if (fits(frame.color.view())) {
+    truth.image = frame.color.view();
+  }
+  if (fits(frame.reference_depth.view()) && fits(frame.reference_motion.view())) {
+    truth.depth = frame.reference_depth.view();
+    truth.motion = frame.reference_motion.view();
+  } else if (fits(frame.depth.view()) && fits(frame.motion.view())) {
+    truth.depth = frame.depth.view();
+    truth.motion = frame.motion.view();
+  }
+  return truth;
+}
+
 std::vector<int> JudgedFrames(const Clip& clip, const ModeRunOptions& options) {
   const int count = static_cast<int>(clip.frames.size());
   const int every = options.every;

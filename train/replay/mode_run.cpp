@@ -17,13 +17,6 @@ namespace {
 // Times that differ by less are one.
 constexpr double kTimeSlack = 1e-5;
 
-bool HasHistory(const MethodInfo& method) {
-  if (!method.super_resolution) return false;
-  SuperResolutionOptions options;
-  method.configure_super_resolution(options);
-  return options.history;
-}
-
 bool Generates(const MethodInfo& method) { return method.generation != Generation::kNone; }
 
 bool WarpsFrames(const MethodInfo& method) {
@@ -36,12 +29,23 @@ bool IsOn(const Buffer& buffer, GridSize grid) {
   return view.width == grid.width && view.height == grid.height;
 }
 
-// Whether generation alone takes its frames from the references.
-bool TakesReferences(const Clip& clip) { return IsOn(clip.frames.front().reference, clip.output); }
-
-GridSize GenerationGrid(const Clip& clip, const MethodInfo& method) {
-  return method.super_resolution || TakesReferences(clip) ? clip.output : clip.render;
+// The streams that the clip has of its first frame.
+Streams LoadedStreams(const Clip& clip) {
+  const ClipFrame& frame = clip.frames.front();
+  Streams loaded = Streams::kNone;
+  const auto add = [&](Streams stream, const auto& buffer, GridSize grid) {
+    if (IsOn(buffer, grid)) loaded = loaded | stream;
+  };
+  add(Streams::kColor, frame.color, clip.render);
+  add(Streams::kDepth, frame.depth, clip.render);
+  add(Streams::kMotion, frame.motion, clip.render);
+  add(Streams::kReference, frame.reference, clip.output);
+  add(Streams::kReferenceDepth, frame.reference_depth, clip.output);
+  add(Streams::kReferenceMotion, frame.reference_motion, clip.output);
+  return loaded;
 }
+
+bool TakesReferences(const Clip& clip) { return GeneratesFromReferences(LoadedStreams(clip)); }
 
 std::string WhyClipIsUnfit(const Clip& clip, const ModeRunOptions& options) {
   const MethodInfo& method = *options.method;
@@ -140,7 +144,7 @@ class ModeRun {
     if (WarpsFrames(method_)) {
       generation_.emplace(EffectiveGeneration(clip_, options_), executor_);
     }
-    const GridSize grid = GenerationGrid(clip_, method_);
+    const GridSize grid = ShownGrid(clip_, method_);
     const ClipFrame& first = clip_.frames.front();
     const PixelFormat format = method_.super_resolution ? displays_[0].color.view().format
                                : TakesReferences(clip_) ? first.reference.view().format
@@ -257,7 +261,7 @@ Streams NeededStreams(const MethodInfo& method, Streams available) {
   if (method.super_resolution) {
     return HasHistory(method) ? Streams::kRenderGrid : Streams::kColor;
   }
-  if (Contains(available, Streams::kReference)) {
+  if (GeneratesFromReferences(available)) {
     return WarpsFrames(method) ? Streams::kOutputGrid : Streams::kReference;
   }
   return WarpsFrames(method) ? Streams::kRenderGrid : Streams::kColor;
@@ -270,6 +274,18 @@ std::vector<float> Alphas(const ModeRunOptions& options) {
     alphas.push_back(static_cast<float>(k) / static_cast<float>(options.generated + 1));
   }
   return alphas;
+}
+
+bool HasHistory(const MethodInfo& method) {
+  if (!method.super_resolution) return false;
+  SuperResolutionOptions options;
+  method.configure_super_resolution(options);
+  return options.history;
+}
+
+GridSize ShownGrid(const Clip& clip, const MethodInfo& method) {
+  const bool on_output = method.super_resolution || (Generates(method) && TakesReferences(clip));
+  return on_output ? clip.output : clip.render;
 }
 
 const char* MissingStream(const ClipFrame& frame, const Clip& clip, Streams needed) {
@@ -304,7 +320,7 @@ SuperResolutionOptions EffectiveSuperResolution(const Clip& clip, const ModeRunO
 
 FrameGenerationOptions EffectiveGeneration(const Clip& clip, const ModeRunOptions& options) {
   FrameGenerationOptions effective = options.generation;
-  const GridSize grid = GenerationGrid(clip, *options.method);
+  const GridSize grid = ShownGrid(clip, *options.method);
   effective.width = grid.width;
   effective.height = grid.height;
   effective.encoding = clip.encoding;

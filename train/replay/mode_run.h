@@ -40,9 +40,23 @@ struct ModeRunOptions {
 // Whether `generated` and `alphas` make sense, for any clip; part of IsValid.
 bool AreTimesValid(const ModeRunOptions& options, std::string* why = nullptr);
 
+// Whether generation alone (without super resolution) takes the references of a sequence that has
+// `available` as its frames: where they come with depth and motion, or the rendered frames do not.
+// Otherwise it takes the rendered frames.
+constexpr bool GeneratesFromReferences(Streams available) {
+  return Contains(available, Streams::kReference) &&
+         (Contains(available, Streams::kOutputGrid) || !Contains(available, Streams::kRenderGrid));
+}
+
 // The streams that the method takes of a sequence that has `available`, whether it has them all or
 // not.
 Streams NeededStreams(const MethodInfo& method, Streams available);
+
+// Whether the method accumulates a history, by super resolution.
+bool HasHistory(const MethodInfo& method);
+
+// The grid of the frames that the method shows of the clip.
+GridSize ShownGrid(const Clip& clip, const MethodInfo& method);
 
 // The name of a needed stream that a frame of the clip lacks, or null.
 const char* MissingStream(const ClipFrame& frame, const Clip& clip, Streams needed);
@@ -67,8 +81,7 @@ struct ShownFrame {
 using ShownFrameSink = std::function<void(const ShownFrame&)>;
 
 // Shows frames in the order of time. Generation alone (without super resolution) takes the
-// references as its sources, or the rendered frames if the clip has no references. A rendered frame
-// follows every generated one, except the last extrapolated ones. Extrapolation begins after the
+// frames that GeneratesFromReferences says, by the streams of the clip. A rendered frame follows every generated one, except the last extrapolated ones. Extrapolation begins after the
 // second rendered frame. The options must be valid. An exception of the sink ends the run.
 void RunMode(const Clip& clip, const ModeRunOptions& options, Executor& executor,
              const ShownFrameSink& sink);
