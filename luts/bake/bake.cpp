@@ -27,6 +27,7 @@ nlohmann::ordered_json Provenance(const Fit& fit) {
   json["gain_bound"] = fit.gain_bound;
   json["keys_a"] = fit.keys_a;
   json["options"] = fit.options;
+  if (fit.cut) json["ended"] = kCutFit;
   nlohmann::ordered_json& data = json["data"] = nlohmann::ordered_json::array();
   for (const FitData& d : fit.data) {
     data.push_back({{"name", d.name}, {"sha1", d.sha1}, {"width", d.width}, {"height", d.height}});

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <iterator>
 
-
 namespace warplut {
 namespace {
 
@@ -50,6 +49,8 @@ void AppendProvenance(const Fit& fit, Out out) {
       out, "// Fit: scale {}, objective {}, optimizer {}, seed {}, horizons {}, gain bound {}.\n",
       fit.scale, fit.objective, fit.optimizer, fit.seed, fmt::join(fit.horizons, ", "),
       fit.gain_bound);
+  if (fit.cut)
+    fmt::format_to(out, "// A time limit ended the training before its work was done.\n");
   fmt::format_to(out,
                  "// Options: {}\n// Best Keys kernel on the same data: a = {}.\n// Data (sha1):\n",
                  fit.options, fit.keys_a);

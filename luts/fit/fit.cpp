@@ -144,6 +144,7 @@ nlohmann::ordered_json ToJson(const Fit& fit) {
   if (HasPrefilter(fit.prefilter)) json["spline_k"] = fit.spline_k;
   json["seed"] = fit.seed;
   json["options"] = fit.options;
+  if (fit.cut) json["ended"] = kCutFit;
   nlohmann::ordered_json& data = json["data"] = nlohmann::ordered_json::array();
   for (const FitData& d : fit.data) {
     data.push_back({{"name", d.name}, {"sha1", d.sha1}, {"width", d.width}, {"height", d.height}});
@@ -221,6 +222,11 @@ Fit FromJson(JsonFields fields) {
   fit.keys_a = fields.Number("keys_a");
   fit.seed = Whole<std::uint64_t>(fields, "seed");
   fit.options = fields.Text("options");
+  if (fields.Has("ended")) {
+    const std::string ended = fields.Text("ended");
+    if (ended != kCutFit) fields.At("ended").Refuse(ended, "\"time limit\", or no such field");
+    fit.cut = true;
+  }
   fit.data = Objects<FitData>(fields, "data", ReadData);
   fit.loss = Objects<FitLoss>(fields, "loss", ReadLoss);
   fit.validation = Objects<FitScore>(fields, "validation", ReadScore);

@@ -61,6 +61,7 @@ struct Fit {
   double spline_k = 0;             // with a prefilter: the best spline within the bound, likewise
   std::uint64_t seed = 0;
   std::string options;             // the training's options: a JSON object on one line
+  bool cut = false;                // a time limit ended the training before its work was done
   std::vector<double> parameters;  // kMlpParameters finite values
   Prefilter prefilter = {};
   std::vector<FitData> data;

@@ -7,6 +7,8 @@ namespace warplut {
 
 inline constexpr const char* kFitFormat = "warplut-fit";
 inline constexpr const char* kTableFormat = "warplut-table";
+// The field "ended" of a fit that a time limit cut; other fits have none.
+inline constexpr const char* kCutFit = "time limit";
 inline constexpr int kTableVersion = 2;  // version 1 has no prefilter
 
 // Takes the fields "format" and "version" and returns the version, in [oldest, newest]; an Error

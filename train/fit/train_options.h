@@ -78,9 +78,11 @@ struct TrainOptions {
   // Share of pans in the objective, [0, 1): a larger one keeps pans from drifting. Empty:
   // kPanShare, without prefilter kPlainPanShare, with objective `sr` kSrPanShare.
   std::optional<double> pan_share;
-  int crops = 0;                     // 0: by the work above, at least kFewestCrops
-  std::filesystem::path checkpoint;  // empty: none; written after each stage, removed at the end
-  bool resume = false;               // from `checkpoint`
+  int crops = 0;  // 0: by the work above, at least kFewestCrops
+  // Empty: none. Written after each stage and every few seconds inside it; removed at the end,
+  // unless max_seconds cut.
+  std::filesystem::path checkpoint;
+  bool resume = false;  // from `checkpoint`
 
   bool IsValid(std::string* why) const;
 

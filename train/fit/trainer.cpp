@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <memory>
+#include <optional>
 
 #include "datasets/error.h"
-#include "datasets/hash.h"
 #include "luts/filters.h"
 #include "train/fit/checkpoint.h"
 #include "train/fit/crops.h"
+#include "train/fit/evaluation_log.h"
 #include "train/fit/gain_limit.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/minimize.h"
@@ -112,12 +112,12 @@ class Training {
             DrawCrops(luma_, options_.crops / 3 + 1, Seed(options_, SeedFor::kValidation)),
             Seed(options_, SeedFor::kValidation, 1), kValidationPans, kProtocolPower, largest_side_,
             nullptr)) {
-    std::string identity = options_.Json();
-    for (const TrainImage& image : images) identity += image.record.sha1;
-    state_.made_for = Sha1(identity);
+    state_.made_for.options = options_.Json();
+    for (const TrainImage& image : images) {
+      state_.made_for.images.push_back({image.record.name, image.record.sha1});
+    }
     state_.parameters = RandomParameters(Seed(options_, SeedFor::kStart));
     if (largest_side_ > 0) StartPrefilter();
-    state_.best_validation = std::numeric_limits<double>::max();
     if (options_.resume) {
       state_ = ReadCheckpoint(options_.checkpoint, state_.made_for, state_.parameters.size());
     }
@@ -130,7 +130,8 @@ class Training {
     while (state_.stage < options_.stages && !OutOfTime()) {
       if (!RunStage()) return false;
     }
-    if (!options_.checkpoint.empty()) std::filesystem::remove(options_.checkpoint);
+    // After a cut there is more to do: it stays for --resume.
+    if (!options_.checkpoint.empty() && !cut_) std::filesystem::remove(options_.checkpoint);
     return true;
   }
 
@@ -151,6 +152,8 @@ class Training {
   std::unique_ptr<const Objective> StageObjective(int index) const;
   void StartPrefilter();
   bool RunStage();
+  // Writes the checkpoint, if there is one to write and `now` or the last one is old.
+  void Save(bool now);
   bool Report(int iteration, std::int64_t evaluations, double loss);
   void FinishStage(std::int64_t evaluations, double loss);
 
@@ -164,6 +167,8 @@ class Training {
   Checkpoint state_;
   bool cut_ = false;
   Clock::time_point start_;
+  std::optional<Clock::time_point> saved_;  // nothing before the first: a full disk shows early
+  double save_seconds_ = 0;                 // that the last one took
 };
 
 double Training::Judge(const Objective& objective, const Resampler& resampler) const {
@@ -219,6 +224,7 @@ bool Training::RunStage() {
   const auto stage_objective = StageObjective(state_.stage);
   MlpObjective objective(*stage_objective, options_.gain_bound,
                          MakeStage(options_, state_.stage).penalty_factor, model_.map());
+  LoggedFunction logged(objective, state_.parameters.size(), &state_.begun, [&] { Save(false); });
   std::vector<double> parameters = state_.parameters;
   AdamState adam = state_.adam;
   int iteration = 0;
@@ -226,19 +232,36 @@ bool Training::RunStage() {
   bool stopped = false;
   const MinimizeCallback callback = [&](const double*, double value) {
     loss = value;
-    stopped = !Report(++iteration, objective.evaluations(), value);
-    return !stopped && !OutOfTime();
+    stopped = !Report(++iteration, static_cast<std::int64_t>(logged.evaluations()), value);
+    return !stopped && !(iteration < options_.iterations && OutOfTime());
   };
   if (options_.optimizer == Optimizer::kAdam) {
-    MinimizeAdam(objective, options_.iterations, callback, adam, parameters);
+    MinimizeAdam(logged, options_.iterations, callback, adam, parameters);
   } else {
-    MinimizeLbfgs(objective, options_.iterations, callback, parameters);
+    MinimizeLbfgs(logged, options_.iterations, callback, parameters);
   }
+  if (stopped || cut_) Save(true);
   if (stopped) return false;
   state_.parameters = std::move(parameters);
   state_.adam = std::move(adam);
-  FinishStage(objective.evaluations(), loss);
+  FinishStage(static_cast<std::int64_t>(logged.evaluations()), loss);
   return true;
+}
+
+void Training::Save(bool now) {
+  // Seconds between two checkpoints, which is what a kill may lose, and that as a multiple of what
+  // one takes.
+  constexpr double kSaveSeconds = 2, kSaveShare = 20;
+  if (options_.checkpoint.empty()) return;
+  const auto since = [](Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  };
+  if (!now && saved_ && since(*saved_) < std::max(kSaveSeconds, kSaveShare * save_seconds_)) return;
+  const Clock::time_point begin = Clock::now();
+  state_.seconds = Seconds();
+  WriteCheckpoint(options_.checkpoint, state_);
+  saved_ = Clock::now();
+  save_seconds_ = since(begin);
 }
 
 void Training::FinishStage(std::int64_t evaluations, double loss) {
@@ -248,11 +271,13 @@ void Training::FinishStage(std::int64_t evaluations, double loss) {
   const double validation = Judge(*validation_, model_.ForwardStored(state_.parameters.data()));
   state_.seconds = Seconds();
   state_.loss.push_back({state_.seconds, state_.evaluations, loss, validation});
-  if (validation < state_.best_validation) {
+  if (state_.best_parameters.empty() || validation < state_.best_validation) {
     state_.best_validation = validation;
     state_.best_parameters = state_.parameters;
   }
-  if (!options_.checkpoint.empty()) WriteCheckpoint(options_.checkpoint, state_);
+  state_.begun.clear();
+  // A cut stage is not complete: what was saved of it goes on.
+  if (!cut_) Save(true);
 }
 
 Fit Training::MakeFit(const std::vector<TrainImage>& images) {
@@ -264,6 +289,7 @@ Fit Training::MakeFit(const std::vector<TrainImage>& images) {
   fit.gain_bound = options_.gain_bound;
   fit.seed = options_.seed;
   fit.options = options_.Json();
+  fit.cut = cut_;
   if (!state_.best_parameters.empty()) {
     fit.parameters.assign(state_.best_parameters.begin(),
                           state_.best_parameters.begin() + kMlpParameters);

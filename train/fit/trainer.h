@@ -41,13 +41,13 @@ using TrainCallback = std::function<bool(const TrainProgress&)>;
 struct TrainResult {
   Fit fit;                   // not valid if interrupted before the first stage was complete
   bool interrupted = false;  // by the callback; the checkpoint is kept
-  bool cut = false;          // by max_seconds, before all of the work was done
+  bool cut = false;          // by max_seconds; the checkpoint is kept
 };
 
-// Trains. An Error says what is wrong with the data (as CheckedLuma) or the
-// checkpoint (damaged, of other options or data). Same options, data and seed give the same bits
-// for any number of threads, also across an interruption, unless max_seconds ends it; between
-// instruction sets the bits differ.
+// Trains. An Error says what is wrong with the data (as CheckedLuma) or the checkpoint (damaged, or
+// of other options or data, and which). Same options, data and seed give the same bits for any
+// number of threads, also across an interruption, unless max_seconds ends it; between instruction
+// sets the bits differ.
 TrainResult Train(const TrainOptions& options, const std::vector<TrainImage>& images,
                   const TrainCallback& progress = {});
 

@@ -163,6 +163,20 @@ TEST_F(FitTest, WritingRefusesAFitThatIsNotValid) {
               HasSubstr("validation[0].ssim is 2"));
 }
 
+TEST_F(FitTest, TellsWhetherATimeLimitCutIt) {
+  Fit fit = MakeFit(0);
+  WriteFit(path_, fit);
+  EXPECT_FALSE(ReadFit(path_).cut);
+  EXPECT_EQ(ReadFile(path_).find("ended"), std::string::npos);
+  fit.cut = true;
+  WriteFit(path_, fit);
+  EXPECT_TRUE(ReadFit(path_).cut);
+  std::string text = ReadFile(path_);
+  text.replace(text.find("time limit"), 10, "lunch time");
+  WriteFile(path_, text);
+  EXPECT_THAT(SentenceOf([&] { ReadFit(path_); }), HasSubstr("'ended' is \"lunch time\""));
+}
+
 TEST_F(FitTest, WritesTextThatIsNotUtf8WithReplacements) {
   Fit fit = MakeFit(0);
   fit.data = {{"caf\xe9.png", std::string(40, '0'), 8, 8}};

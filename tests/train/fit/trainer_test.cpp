@@ -103,18 +103,48 @@ TEST(Trainer, ResumesToTheSameBitsAfterAnInterruption) {
     options.optimizer = optimizer;
     const auto whole = Train(options, Images()).fit.parameters;
 
-    options.checkpoint = folder.path() / "fit.checkpoint";
-    int calls = 0;
-    const auto interrupted =
-        Train(options, Images(), [&](const TrainProgress&) { return ++calls < 6; });
-    EXPECT_TRUE(interrupted.interrupted);
-    ASSERT_TRUE(std::filesystem::exists(options.checkpoint));
-    options.resume = true;
-    const auto resumed = Train(options, Images());
-    EXPECT_FALSE(resumed.interrupted);
-    EXPECT_EQ(whole, resumed.fit.parameters);
-    EXPECT_FALSE(std::filesystem::exists(options.checkpoint));
+    // Inside the first stage, at its end, inside the second.
+    for (const int iterations : {1, 3, 4, 6}) {
+      options.checkpoint = folder.path() / "fit.checkpoint";
+      options.resume = false;
+      int calls = 0;
+      const auto interrupted =
+          Train(options, Images(), [&](const TrainProgress&) { return ++calls < iterations; });
+      EXPECT_TRUE(interrupted.interrupted);
+      ASSERT_TRUE(std::filesystem::exists(options.checkpoint));
+      options.resume = true;
+      // Twice: what was taken up can be interrupted again.
+      calls = 0;
+      Train(options, Images(), [&](const TrainProgress&) { return ++calls < 2; });
+      const auto resumed = Train(options, Images());
+      EXPECT_FALSE(resumed.interrupted);
+      EXPECT_EQ(whole, resumed.fit.parameters) << iterations;
+      EXPECT_FALSE(std::filesystem::exists(options.checkpoint));
+    }
   }
+}
+
+TEST(Trainer, TellsWhatATimeLimitCutAndGoesOnWithALargerOne) {
+  const TemporaryFolder folder;
+  TrainOptions options = Small();
+  const auto whole = Train(options, Images());
+  EXPECT_FALSE(whole.cut);
+  EXPECT_FALSE(whole.fit.cut);
+  options.checkpoint = folder.path() / "fit.checkpoint";
+  options.max_seconds = 1e-6;
+  auto cut = Train(options, Images());
+  EXPECT_TRUE(cut.cut);
+  EXPECT_FALSE(cut.interrupted);
+  ASSERT_TRUE(cut.fit.cut);
+  cut.fit.name = "cut";
+  WriteFit(folder / "fit.json", cut.fit);
+  EXPECT_TRUE(ReadFit(folder / "fit.json").cut);
+  ASSERT_TRUE(std::filesystem::exists(options.checkpoint));
+  options.max_seconds = 1e6;
+  options.resume = true;
+  const auto resumed = Train(options, Images());
+  EXPECT_FALSE(resumed.cut);
+  EXPECT_EQ(resumed.fit.parameters, whole.fit.parameters);
 }
 
 TEST(Trainer, ProgressGoesFromNothingToAll) {
@@ -158,7 +188,7 @@ TEST(Trainer, RefusesBadDataAndForeignCheckpoints) {
   Train(options, Images(), [&](const TrainProgress&) { return ++calls < 6; });
   options.resume = true;
   options.seed = 99;
-  ExpectError([&] { Train(options, Images()); }, {"fit.checkpoint", "other options or data"});
+  ExpectError([&] { Train(options, Images()); }, {"fit.checkpoint", "seed is 1 there and 99 here"});
 }
 
 }  // namespace
