@@ -61,10 +61,18 @@ Json ToJson(const CalibratedParameter& parameter) {
 
 std::string Number(double value) { return fmt::format("{:.4g}", value); }
 
+// Whether a time limit ended the search: its best point is no optimum then.
+bool WasCut(const CalibrationResult& result) { return result.stop == RunLog::Stop::kTime; }
+
+// A loss that may not have been computed.
+std::string LossText(double loss) {
+  return std::isfinite(loss) ? fmt::format("{:.5f}", loss) : "-";
+}
+
 TextTable ParameterTable(const CalibrationResult& result) {
-  TextTable table{
-      .header = {"parameter", "kept", "optimum", "+-", "from", "to", "loss over range", "needed"},
-      .rows = {}};
+  TextTable table{.header = {"parameter", "kept", WasCut(result) ? "best so far" : "optimum", "+-",
+                             "from", "to", "loss over range", "needed"},
+                  .rows = {}};
   for (const CalibratedParameter& parameter : result.parameters) {
     const ParameterInfo& info = InfoOf(parameter);
     std::string needed = "?";
@@ -72,7 +80,7 @@ TextTable ParameterTable(const CalibrationResult& result) {
     table.rows.push_back({info.name, Number(parameter.value), Number(parameter.optimum),
                           parameter.standard_error ? Number(*parameter.standard_error) : "-",
                           Number(info.min), Number(info.max),
-                          fmt::format("{:.5f}", parameter.profile.Spread()), needed});
+                          parameter.profiled ? LossText(parameter.profile.Spread()) : "-", needed});
   }
   return table;
 }
@@ -115,9 +123,10 @@ TextTable LossTable(const CalibrationReport& report) {
 TextTable StartTable(const CalibrationResult& result) {
   TextTable table{.header = {"start", "loss", "ends at", "optimum"}, .rows = {}};
   for (const CalibrationStart& start : result.starts) {
-    table.rows.push_back({start.name, fmt::format("{:.5f}", start.from.loss),
-                          fmt::format("{:.5f}", start.to.loss),
-                          start.optimum < 0 ? "stuck" : fmt::format("{}", start.optimum + 1)});
+    std::string optimum = start.optimum < 0 ? "stuck" : fmt::format("{}", start.optimum + 1);
+    if (!start.complete) optimum = "cut";
+    table.rows.push_back(
+        {start.name, LossText(start.from.loss), LossText(start.to.loss), std::move(optimum)});
   }
   return table;
 }
@@ -136,9 +145,22 @@ std::string OtherOptima(const CalibrationResult& result) {
   return text;
 }
 
-std::vector<std::string> Sentences(const CalibrationReport& report) {
-  const CalibrationResult& result = report.result;
-  std::vector<std::string> sentences;
+// What a time limit left undone.
+std::string CutSentence(const CalibrationResult& result) {
+  const auto complete = std::count_if(result.starts.begin(), result.starts.end(),
+                                      [](const CalibrationStart& s) { return s.complete; });
+  const auto profiled =
+      std::count_if(result.parameters.begin(), result.parameters.end(),
+                    [](const CalibratedParameter& parameter) { return parameter.profiled; });
+  return fmt::format(
+      "The time limit ended the work: {} of {} starts and {} of {} profiles are complete{}. The "
+      "best point so far need not be an optimum; --resume with a larger limit goes on.",
+      complete, result.planned_starts, profiled, result.parameters.size(),
+      result.correlations.empty() ? ", standard errors are not known" : "");
+}
+
+// What the search tells of its optima.
+void AppendOptima(const CalibrationResult& result, std::vector<std::string>& sentences) {
   const auto reached = std::count_if(result.starts.begin(), result.starts.end(),
                                      [](const CalibrationStart& s) { return s.optimum == 0; });
   sentences.push_back(result.optima.size() > 1
@@ -150,6 +172,37 @@ std::vector<std::string> Sentences(const CalibrationReport& report) {
     sentences.emplace_back(
         "A profile led to the best values, no start did: they may not be the best there are.");
   }
+}
+
+// What is kept, and why.
+void AppendKept(const CalibrationResult& result, std::vector<std::string>& sentences) {
+  if (!result.kept_error) {
+    sentences.emplace_back(
+        "Kept are the defaults: there was no time to judge how far the clips lead from them.");
+    return;
+  }
+  for (const CalibratedParameter& parameter : result.parameters) {
+    if (!parameter.at_base || parameter.value == parameter.optimum) continue;
+    sentences.push_back(fmt::format("{} is kept at the default: the data does not tell{}.",
+                                    InfoOf(parameter).name,
+                                    WasCut(result) ? " it from the best point so far" : ""));
+  }
+  if (result.kept.parameters == result.best.parameters) return;
+  sentences.push_back(fmt::format(
+      "Kept is a point of loss {:.5f}, nearer to the defaults than the {} ({:.5f}): {:.5f} more, "
+      "+- {:.5f}.",
+      result.kept.loss, WasCut(result) ? "best one so far" : "optimum", result.best.loss,
+      result.kept.loss - result.best.loss, *result.kept_error));
+}
+
+std::vector<std::string> Sentences(const CalibrationReport& report) {
+  const CalibrationResult& result = report.result;
+  std::vector<std::string> sentences;
+  if (WasCut(result)) {
+    sentences.push_back(CutSentence(result));
+  } else {
+    AppendOptima(result, sentences);
+  }
   for (const CalibratedParameter& parameter : result.parameters) {
     const ParameterInfo& info = InfoOf(parameter);
     if (parameter.NotNeeded()) {
@@ -157,25 +210,12 @@ std::vector<std::string> Sentences(const CalibrationReport& report) {
           "{} is not needed: over its whole range the loss changes by less than {:g}; what reads "
           "it ({}) is a candidate for being left out.",
           info.name, kFlatProfile, info.meaning));
-    } else if (parameter.at_min || parameter.at_max) {
+    } else if (!WasCut(result) && (parameter.at_min || parameter.at_max)) {
       sentences.push_back(fmt::format("The optimum of {} is at the {} end of its range.", info.name,
                                       parameter.at_min ? "lower" : "upper"));
     }
-    if (parameter.at_base && parameter.value != parameter.optimum) {
-      sentences.push_back(
-          fmt::format("{} is kept at the default: the data does not tell.", info.name));
-    }
   }
-  if (result.kept.parameters != result.best.parameters) {
-    sentences.push_back(
-        fmt::format("Kept is a point of loss {:.5f}, nearer to the defaults than the optimum "
-                    "({:.5f}): {:.5f} more, +- {:.5f}.",
-                    result.kept.loss, result.best.loss, result.kept.loss - result.best.loss,
-                    result.kept_error));
-  }
-  if (result.stop == RunLog::Stop::kTime) {
-    sentences.emplace_back("The time limit ended the search; --resume with a larger one goes on.");
-  }
+  AppendKept(result, sentences);
   if (!report.HoldsOut()) {
     sentences.emplace_back(
         "No clip is held out: nothing here says how the values do on other content (--hold-out, "
@@ -218,6 +258,8 @@ Json ToJson(const CalibrationReport& report) {
                {"max_pixels", report.max_pixels},
                {"seed", report.seed},
                {"ended", StopName(result.stop)},
+               {"planned_starts", result.planned_starts},
+               {"kept_is_judged", result.kept_error.has_value()},
                {"search_runs", result.search_runs},
                {"runs", result.runs}};
   const auto losses = [&](bool held_out) -> Json {
@@ -229,7 +271,7 @@ Json ToJson(const CalibrationReport& report) {
   if (report.HoldsOut()) json["loss"]["held_out"] = losses(true);
   json["loss"]["optimum"] = result.best.loss;
   json["loss"]["kept"] = result.kept.loss;
-  json["loss"]["standard_error"] = result.kept_error;
+  json["loss"]["standard_error"] = result.kept_error ? Json(*result.kept_error) : Json(nullptr);
   json["clips"] = Json::array();
   for (const CalibrationScore& score : report.scores) {
     json["clips"].push_back({{"clip", score.clip},
@@ -258,7 +300,8 @@ Json ToJson(const CalibrationReport& report) {
         {{"name", start.name},
          {"from", ToJson(start.from)},
          {"to", ToJson(start.to)},
-         {"optimum", start.optimum < 0 ? Json(nullptr) : Json(start.optimum)}});
+         {"complete", start.complete},
+         {"optimum", start.optimum < 0 || !start.complete ? Json(nullptr) : Json(start.optimum)}});
   }
   json["optima"] = Json::array();
   for (const Candidate& optimum : result.optima) json["optima"].push_back(ToJson(optimum));

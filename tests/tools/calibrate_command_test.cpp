@@ -122,7 +122,17 @@ TEST_F(CalibrateCommand, GoesOnWithTheSameBytesAfterAnInterruption) {
 TEST_F(CalibrateCommand, ATimeLimitLeavesTheBestSoFarAndACheckpoint) {
   const ProgramResult limited = RunWarplut(Arguments({"--max-seconds", "0.01"}));
   ASSERT_EQ(limited.code, 0) << limited.err;
-  EXPECT_THAT(limited.out, HasSubstr("The time limit ended the search"));
+  EXPECT_THAT(limited.out, HasSubstr("The time limit ended the work: 0 of 2 starts"));
+  EXPECT_THAT(limited.out, HasSubstr("Kept are the defaults"));
+  EXPECT_THAT(limited.out, HasSubstr("best so far"));
+  for (const char* unknown : {"0.00000", "inf", "nan", "does not tell", "optima", "One optimum"}) {
+    EXPECT_THAT(limited.out, testing::Not(HasSubstr(unknown)));
+  }
+  const auto calibration = nlohmann::json::parse(ReadFile(Out()))["calibration"];
+  EXPECT_EQ(calibration["ended"], "time limit");
+  EXPECT_EQ(calibration["kept_is_judged"], false);
+  EXPECT_TRUE(calibration["loss"]["standard_error"].is_null());
+  EXPECT_EQ(ReadParameters(Out()), Parameters());
   EXPECT_TRUE(ReadParameters(Out()).IsValid());
   EXPECT_TRUE(fs::exists(Out() + ".checkpoint"));
   ExpectRefused(RunWarplut(Arguments({"--resume", "--seed", "7"})), kFailed, "other options");

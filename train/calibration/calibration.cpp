@@ -33,7 +33,7 @@ class Calibration {
       : options_(options),
         function_(function),
         space_(options.fitted, options.base),
-        log_(function, {.max_seconds = options.max_seconds,
+        log_(function, {.max_seconds = kSearchShare * options.max_seconds,
                         .checkpoint = options.checkpoint,
                         .resume = options.resume,
                         .made_for = options.Identity(),
@@ -50,10 +50,12 @@ class Calibration {
     DrawProfiles();
     DropWhatIsNotNeeded();
     JudgeAccuracy();
+    result_.stop = log_.stop();
+    log_.LimitTo(options_.max_seconds);
     Keep();
+    if (result_.stop == RunLog::Stop::kNone) result_.stop = log_.stop();
     result_.runs = log_.runs();
     result_.seconds = log_.Seconds();
-    result_.stop = log_.stop();
     log_.Save();
     return std::move(result_);
   }
@@ -68,6 +70,7 @@ class Calibration {
   double Work() const { return 2.0 + options_.random_starts + 1.0; }
 
   void Search() {
+    result_.planned_starts = 2 + options_.random_starts;
     result_.default_loss = Offer(options_.base);
     // Only to compare with: where not all parameters are fitted, it lies outside the space.
     result_.paper_loss = LossOf(kPaperParameters);
@@ -124,7 +127,8 @@ class Calibration {
       } else if (to.loss < result_.optima[optimum].loss) {
         result_.optima[optimum] = to;
       }
-      result_.starts.push_back({name, from, to, optimum, downhill});
+      result_.starts.push_back(
+          {name, from, to, optimum, log_.stop() == RunLog::Stop::kNone, downhill});
     }
     done_ += 1;
   }
@@ -236,17 +240,23 @@ class Calibration {
       const KeptPoint kept =
           KeepNearBase(log_, space_, sources, {options_.base, result_.default_loss}, result_.best,
                        std::max(result_.best.loss, LeastStart()));
-      // The way there may pass by a better point than the one that the search stopped at.
-      if (kept.at.loss < result_.best.loss) {
-        Replace(kept.at);
-        for (CalibratedParameter& parameter : result_.parameters) {
-          parameter.optimum = kept.at.parameters.*kParameters[parameter.parameter].member;
+      if (log_.stop() == RunLog::Stop::kNone) {
+        // The way there may pass by a better point than the one that the search stopped at.
+        if (kept.at.loss < result_.best.loss) {
+          Replace(kept.at);
+          for (CalibratedParameter& parameter : result_.parameters) {
+            parameter.optimum = kept.at.parameters.*kParameters[parameter.parameter].member;
+          }
         }
-      }
-      result_.kept = kept.at;
-      result_.kept_error = kept.standard_error;
-      for (std::size_t i = 0; i < kept.at_base.size(); ++i) {
-        result_.parameters[i].at_base = kept.at_base[i];
+        result_.kept = kept.at;
+        result_.kept_error = kept.standard_error;
+        for (std::size_t i = 0; i < kept.at_base.size(); ++i) {
+          result_.parameters[i].at_base = kept.at_base[i];
+        }
+      } else {
+        // How far the data leads from the base is not known.
+        result_.kept = {options_.base, result_.default_loss};
+        result_.kept_error.reset();
       }
     }
     for (CalibratedParameter& parameter : result_.parameters) {

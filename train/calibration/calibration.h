@@ -39,8 +39,10 @@ struct CalibrationOptions {
   std::vector<float> widths = {0.8f, 0.4f, 0.2f, 0.1f};  // of the gates, falling, each in (0, 1]
   int random_starts = 2;  // beside the base and the paper's constants
   std::uint64_t seed = 1;
-  double max_seconds = 0;  // 0: no limit; with one the result depends on the machine's speed
-  bool near_base = true;   // false: the optimum is kept as it is
+  // 0: no limit; with one that cuts the result depends on the machine's speed. The search may take
+  // kSearchShare of it, so that there is some left to judge what to keep.
+  double max_seconds = 0;
+  bool near_base = true;             // false: the optimum is kept as it is
   std::filesystem::path checkpoint;  // empty: none
   bool resume = false;               // from `checkpoint`
   std::string data;                  // identifies the input of the residuals, for the checkpoint
@@ -59,6 +61,7 @@ struct CalibrationStart {
   // Index in CalibrationResult::optima; -1 where the search got stuck (on a plateau, for example):
   // no ridge lies between its end and an optimum, but its loss is larger by more than kSameLoss.
   int optimum = -1;
+  bool complete = false;  // the search from it came to its end
   bool downhill =
       false;  // the search ended where the optimum was in sight: the loss falls evenly towards it
 };
@@ -78,11 +81,14 @@ struct CalibratedParameter {
 };
 
 struct CalibrationResult {
-  Candidate best;           // the least loss
-  Candidate kept;           // the point to use
-  double kept_error = 0;    // standard error of the loss kept minus the least
+  Candidate best;  // the least loss
+  Candidate kept;  // the point to use
+  // Standard error of the loss kept minus the least; nothing if what to keep was not judged, as
+  // time was up: the base is kept then.
+  std::optional<double> kept_error = 0;
   double default_loss = 0;  // of CalibrationOptions::base
   double paper_loss = 0;    // of kPaperParameters
+  int planned_starts = 0;   // of which `starts` were begun
   std::vector<CalibrationStart> starts;
   std::vector<Candidate> optima;  // best first; between any two of them the loss has a ridge
   std::vector<CalibratedParameter> parameters;  // as CalibrationOptions::fitted
@@ -94,6 +100,9 @@ struct CalibrationResult {
   RunLog::Stop stop = RunLog::Stop::kNone;
 };
 
+// The share of a time limit that the search, the profiles and the errors may take.
+inline constexpr double kSearchShare = 0.8;
+
 // Two ends of the search belong together if midway between them the loss is larger than at the
 // worse one by no more than kRidge; they are the same optimum if, besides, their losses differ by
 // no more than kSameLoss.
@@ -101,8 +110,8 @@ inline constexpr double kRidge = 1e-4;
 inline constexpr double kSameLoss = 1e-4;
 
 // Minimises 1/2 sum of r^2 of `function`. The options must be valid. An interruption or a time
-// limit writes the checkpoint and returns the best point so far; `stop` tells which, and only
-// complete parts are filled. The caller removes the checkpoint. Errors are those of RunLog.
+// limit writes the checkpoint and returns the best point so far; `stop` tells which, and parts
+// that are not complete say so. The caller removes the checkpoint. Errors are those of RunLog.
 CalibrationResult Calibrate(const CalibrationOptions& options, ResidualFunction& function);
 
 }  // namespace warplut

@@ -17,7 +17,10 @@ constexpr double kSaveSeconds = 2;  // at most this much is lost when the proces
 }  // namespace
 
 RunLog::RunLog(ResidualFunction& function, RunLogOptions options)
-    : function_(function), options_(std::move(options)), start_(Clock::now()) {
+    : function_(function),
+      options_(std::move(options)),
+      start_(Clock::now()),
+      limit_(options_.max_seconds) {
   if (options_.resume && std::filesystem::exists(options_.checkpoint)) {
     Load();
     CheckThatRunsRepeat();
@@ -31,7 +34,7 @@ const std::vector<double>* RunLog::Residuals(const Parameters& parameters, float
   if (const auto known = runs_.find(key); known != runs_.end()) return &known->second;
 
   if (stop_ == Stop::kNone && options_.go_on && !options_.go_on()) stop_ = Stop::kAsked;
-  if (stop_ == Stop::kNone && options_.max_seconds > 0 && Seconds() > options_.max_seconds) {
+  if (stop_ == Stop::kNone && limit_ > 0 && Seconds() > limit_) {
     stop_ = Stop::kTime;
   }
   if (stop_ != Stop::kNone) return nullptr;
@@ -48,6 +51,11 @@ const std::vector<double>* RunLog::Residuals(const Parameters& parameters, float
 std::optional<double> RunLog::Loss(const Parameters& parameters, float gate_width) {
   const std::vector<double>* residuals = Residuals(parameters, gate_width);
   return residuals == nullptr ? std::nullopt : std::optional(LossOf(*residuals));
+}
+
+void RunLog::LimitTo(double max_seconds) {
+  limit_ = max_seconds;
+  if (stop_ == Stop::kTime && (limit_ == 0 || Seconds() <= limit_)) stop_ = Stop::kNone;
 }
 
 double RunLog::Seconds() const {

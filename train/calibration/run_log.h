@@ -41,6 +41,11 @@ class RunLog {
   std::optional<double> Loss(const Parameters& parameters, float gate_width = 0);
 
   Stop stop() const { return stop_; }
+
+  // From now on the time may run to so many seconds since construction (0: no limit); a log that
+  // time has stopped goes on if there is some left.
+  void LimitTo(double max_seconds);
+
   int runs() const {
     return static_cast<int>(runs_.size());
   }                        // of the pipeline, those of the checkpoint included
@@ -60,6 +65,7 @@ class RunLog {
   const RunLogOptions options_;
   const Clock::time_point start_;
   std::optional<Clock::time_point> saved_;  // nothing before the first run: a full disk shows early
+  double limit_;                            // seconds; 0: none
   Stop stop_ = Stop::kNone;
   std::map<Key, std::vector<double>> runs_;
 };

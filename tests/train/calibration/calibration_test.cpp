@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "datasets/file.h"
 #include "tests/datasets/expect_error.h"
@@ -231,6 +233,60 @@ TEST(Calibration, EndsAtATimeLimit) {
   const CalibrationResult result = Calibrate(options, model);
   EXPECT_EQ(result.stop, RunLog::Stop::kTime);
   EXPECT_LE(result.runs, 1);
+  // Nothing was judged: the defaults stay, and nothing is said to be known.
+  EXPECT_EQ(result.kept.parameters, options.base);
+  EXPECT_FALSE(result.kept_error);
+  EXPECT_EQ(result.planned_starts, 4);
+  for (const CalibrationStart& start : result.starts) EXPECT_FALSE(start.complete);
+  for (const CalibratedParameter& parameter : result.parameters) {
+    EXPECT_FALSE(parameter.profiled);
+    EXPECT_FALSE(parameter.at_base);
+    EXPECT_FALSE(parameter.standard_error);
+  }
+}
+
+// A model one run of which takes long.
+class SlowModel final : public ResidualFunction {
+ public:
+  SlowModel(int slow_run, double seconds) : slow_run_(slow_run), seconds_(seconds) {}
+  std::size_t Size() const override { return model_.Size(); }
+  int Source(std::size_t k) const override { return model_.Source(k); }
+  void Evaluate(const Parameters& parameters, float gate_width,
+                std::span<double> residuals) override {
+    model_.Evaluate(parameters, gate_width, residuals);
+    if (++run_ == slow_run_) std::this_thread::sleep_for(std::chrono::duration<double>(seconds_));
+  }
+
+ private:
+  GateModel model_{{}};
+  const int slow_run_;
+  const double seconds_;
+  int run_ = 0;
+};
+
+TEST(Calibration, ATimeLimitLeavesTimeToJudgeWhatIsKept) {
+  const CalibrationOptions whole_options = Options({kThreshold, kA, kB}, 1);
+  SlowModel fast(0, 0);
+  const CalibrationResult whole = Calibrate(whole_options, fast);
+  ASSERT_TRUE(whole.kept_error);
+  for (const CalibrationStart& start : whole.starts) EXPECT_TRUE(start.complete);
+
+  CalibrationOptions options = whole_options;
+  options.max_seconds = 1;
+  SlowModel slow(30, (kSearchShare + 0.05) * options.max_seconds);
+  const CalibrationResult cut = Calibrate(options, slow);
+  EXPECT_EQ(cut.stop, RunLog::Stop::kTime);
+  EXPECT_EQ(cut.search_runs, 30);
+  EXPECT_LT(cut.search_runs, whole.search_runs);
+  EXPECT_FALSE(cut.starts.front().complete);
+  ASSERT_TRUE(cut.kept_error) << "what is kept was judged in the time that was left";
+  EXPECT_LE(cut.kept.loss, cut.default_loss);
+  EXPECT_LT(cut.seconds, 1);
+
+  SlowModel slower(30, 1.1 * options.max_seconds);
+  const CalibrationResult none = Calibrate(options, slower);
+  EXPECT_FALSE(none.kept_error);
+  EXPECT_EQ(none.kept.parameters, options.base);
 }
 
 TEST(Calibration, OptionsNameWhatIsWrong) {
