@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -121,6 +122,18 @@ class Content {
   std::vector<Sequence> sequences_;
 };
 
+// The text as one word of a shell's command line.
+std::string ShellQuoted(const std::string& text) {
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) ||
+           std::string_view("/._-+=:,@%").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
 void TryTables(const ProfileArguments& arguments, PipelineMeter& meter, Progress& progress,
                ProfileReport& report) {
   if (arguments.pipeline.lut.empty()) return;
@@ -134,7 +147,14 @@ void TryTables(const ProfileArguments& arguments, PipelineMeter& meter, Progress
       });
   if (!report.tables_in_chosen) return;
   const SmallerTable* smallest = SmallestWithin(report.tables, chosen.warp().lookup, report.within);
-  if (smallest != nullptr) report.table = *smallest;
+  if (smallest == nullptr) return;
+  report.table = *smallest;
+  if (IsFit(arguments.pipeline.lut)) {
+    const std::filesystem::path folder = std::filesystem::path(arguments.out).parent_path();
+    report.bake =
+        fmt::format("warplut bake {} --format {} --out {}", ShellQuoted(arguments.pipeline.lut),
+                    Name(smallest->format), ShellQuoted(folder.empty() ? "." : folder.string()));
+  }
 }
 
 ProfileReport Profile(const ProfileArguments& arguments, const MethodInfo& method,

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/file.h"
+#include "luts/fit/fit.h"
 #include "tests/datasets/temporary_folder.h"
+#include "tests/luts/test_fits.h"
 #include "tests/tools/program.h"
 #include "tests/train/replay/pan_sequence.h"
 
@@ -65,6 +67,35 @@ TEST_F(ProfileCommand, GivesJsonAndMarkdown) {
   const ProgramResult markdown = Profile({"--within", "2", "--markdown"});
   EXPECT_THAT(markdown.out, HasSubstr("|---|---:|"));
   ExpectRefused(Profile({"--markdown", "--json"}), kUsage, "--json");
+}
+
+TEST_F(ProfileCommand, ProposesATableThatThePrintedCommandMakes) {
+  const std::string fit = Path("it's a fit.json");
+  WriteFit(fit, MakeFit(0.1, 1, "proposed"));
+  const auto profile = [&](const std::string& lut, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> line = {"profile", "--sequence", Path("pan"),
+                                     "--mode",  "sr",         "--lut",
+                                     lut,       "--out",      Path("new folder/PIPELINE.h")};
+    line.insert(line.end(), more.begin(), more.end());
+    return RunWarplut(line);
+  };
+  const ProgramResult result = profile(fit, {"--within", "0.004", "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  ASSERT_FALSE(json["table"].is_null()) << result.out;
+  EXPECT_EQ(json["table"]["nodes"], 32);
+  EXPECT_TRUE(json["table"]["can_be_baked"].get<bool>());
+  const std::string command = json["bake"];
+  ASSERT_EQ(command.rfind("warplut bake ", 0), 0U) << command;
+  const ProgramResult baked =
+      RunProgram("/bin/sh", {"-c", std::string(WARPLUT_PROGRAM) + command.substr(7)});
+  ASSERT_EQ(baked.code, 0) << baked.err;
+  const std::string made = Path("new folder/proposed.json");
+  EXPECT_EQ(nlohmann::json::parse(ReadFile(made))["storage"], json["table"]["storage"]);
+  // Of what is baked the fit is not at hand.
+  const ProgramResult of_baked = profile(made, {"--within", "0.004"});
+  ASSERT_EQ(of_baked.code, 0) << of_baked.err;
+  EXPECT_THAT(of_baked.out, HasSubstr("bake the fit of proposed with --format"));
 }
 
 TEST_F(ProfileCommand, RefusesWhatMakesNoSense) {

@@ -70,12 +70,22 @@ std::string TableSentence(const ProfileReport& report) {
     return "The chosen pipeline reads no table; the sizes below are for the full one.";
   }
   if (!report.table) return "No smaller table is within the bound in the chosen pipeline.";
-  return fmt::format("The smallest table within the bound in the chosen pipeline: {}, {} bytes{}.",
+  return fmt::format("The smallest table within the bound that can be baked: {}, {} bytes{}.",
                      LookupText(*report.table), report.table->least_bytes(),
                      report.table->eighth_bytes
                          ? fmt::format(" as the eighth that its symmetries leave (all nodes: {})",
                                        report.table->bytes)
                          : "");
+}
+
+// How the proposed table is made.
+std::string BakeSentence(const ProfileReport& report) {
+  if (!report.table) return "";
+  if (report.bake.empty()) {
+    return fmt::format("To make it, bake the fit of {} with --format {}.\n", report.filter,
+                       Name(report.table->format));
+  }
+  return fmt::format("To make it: {}\n", report.bake);
 }
 
 std::string ParameterSentence(const ProfileReport& report) {
@@ -117,6 +127,7 @@ nlohmann::ordered_json ToJson(const SmallerTable& table) {
   if (table.eighth_bytes) json["eighth_bytes"] = *table.eighth_bytes;
   json["ssim_loss"] = table.cost.loss;
   json["psnr_loss"] = Finite(table.cost.psnr_loss);
+  json["can_be_baked"] = table.CanBeBaked();
   return json;
 }
 
@@ -227,8 +238,14 @@ std::string ToText(const ProfileReport& report) {
   for (const OmissionTrial& trial : result.taken) {
     text += fmt::format("Without {}: {}.\n", trial.omission->name, trial.omission->meaning);
   }
-  text += fmt::format("{}\n{}\n", ParameterSentence(report), TableSentence(report));
-  if (!report.tables.empty()) text += fmt::format("\n{}", ToText(TablesTable(report)));
+  text += fmt::format("{}\n{}\n{}", ParameterSentence(report), TableSentence(report),
+                      BakeSentence(report));
+  if (!report.tables.empty()) {
+    text += fmt::format(
+        "\n{}Tables of fewer than {} nodes are for renderers that look weights up themselves: bake "
+        "does not make them.\n",
+        ToText(TablesTable(report)), kNodes);
+  }
   const TextTable tiles = TileTable(report);
   if (!tiles.rows.empty()) {
     text += fmt::format("\n{}Time of every pass by that without a look at the tiles' motion: {}.\n",
@@ -269,6 +286,8 @@ nlohmann::ordered_json ToJson(const ProfileReport& report) {
   json["tables_in_chosen"] = report.tables_in_chosen;
   json["tables"] = tables;
   json["table"] = report.table ? ToJson(*report.table) : nlohmann::ordered_json(nullptr);
+  json["bake"] =
+      report.bake.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(report.bake);
   json["time_by_tiles"] = ToJson(report.time_by_tiles);
   return json;
 }

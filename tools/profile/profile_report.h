@@ -32,6 +32,7 @@ struct ProfileReport {
   bool tables_in_chosen =
       false;  // run in the chosen pipeline, else in the full one, as the chosen reads no table
   std::optional<SmallerTable> table;  // the proposed one, where the chosen pipeline reads a table
+  std::string bake = {};              // the command line that makes it; empty without a fit to bake
   std::vector<TileShares> tiles;      // of each sequence, full pipeline
   TimeRatio time_by_tiles;
 };

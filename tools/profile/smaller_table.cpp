@@ -123,7 +123,7 @@ const SmallerTable* SmallestWithin(const std::vector<SmallerTable>& tables, Look
                                    double within) {
   const SmallerTable* best = nullptr;
   for (const SmallerTable& table : tables) {
-    if (table.lookup != lookup || !(table.cost.loss <= within)) continue;
+    if (!table.CanBeBaked() || table.lookup != lookup || !(table.cost.loss <= within)) continue;
     if (best == nullptr || std::tuple(table.least_bytes(), table.cost.loss) <
                                std::tuple(best->least_bytes(), best->cost.loss)) {
       best = &table;

@@ -30,6 +30,10 @@ struct SmallerTable {
   PipelineCost cost;  // times are not measured
 
   std::size_t least_bytes() const { return eighth_bytes.value_or(bytes); }
+
+  // Whether `warplut bake` makes it and the runtime reads it. One of fewer nodes is measured for
+  // renderers that look weights up themselves.
+  bool CanBeBaked() const { return nodes == kNodes; }
 };
 
 // Bytes of a table with n nodes per axis, and of its nodes (i, j) with 0 <= j <= i <= n / 2 (n even), of which symmetry gives the others.
@@ -50,7 +54,8 @@ std::vector<SmallerTable> TrySmallerTables(PipelineMeter& meter, const ProfiledP
                                            const std::vector<PipelineScore>& full,
                                            const std::function<void(double)>& step);
 
-// The one with the fewest bytes whose loss is within the bound, for the lookup; of equals the one with the least loss. Null if none is.
+// Of those that can be baked the one with the fewest bytes whose loss is within the bound, for the
+// lookup; of equals the one with the least loss. Null if none is.
 const SmallerTable* SmallestWithin(const std::vector<SmallerTable>& tables, Lookup lookup,
                                    double within);
 

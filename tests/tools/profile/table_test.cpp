@@ -91,6 +91,11 @@ TEST(SmallerTable, TakesTheFewestBytesWithinTheBound) {
   EXPECT_EQ(SmallestWithin(tables, Lookup::kBilinear, 0.02), &tables[3]);
   EXPECT_EQ(SmallestWithin(tables, Lookup::kBilinear, 0), &tables[0]);
   EXPECT_EQ(SmallestWithin(tables, Lookup::kNearest, 1), nullptr);
+  SmallerTable& fewer_nodes = tables.emplace_back();
+  fewer_nodes.nodes = 8;
+  fewer_nodes.bytes = 1;
+  EXPECT_FALSE(fewer_nodes.CanBeBaked());
+  EXPECT_EQ(SmallestWithin(tables, Lookup::kBilinear, 0), &tables[0]);
   tables[0].eighth_bytes = 10;
   EXPECT_EQ(SmallestWithin(tables, Lookup::kBilinear, 0.02), &tables[0]);
 }
