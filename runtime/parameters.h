@@ -13,8 +13,8 @@ struct Parameters {
   float sr_depth_threshold = 0.05f;         // T_D of super resolution
   float generation_depth_threshold = 0.3f;  // T_D of frame generation
   float brightness_threshold = 0.05f;       // T_B
-  float blend_a = 1.0f;                     // a
-  float blend_b = 1.05f;                    // b
+  float blend_a = 0.85f;                    // a
+  float blend_b = 0.9f;                     // b
   float clamp_gamma = 2.25f;                // half width of the colour box of super resolution
 
   bool operator==(const Parameters&) const = default;
