@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/json_fields.h"
+#include "luts/contract.h"
 
 namespace warplut {
 
@@ -12,7 +13,7 @@ inline constexpr std::size_t kMaxJsonBytes = std::size_t{16} << 20;
 
 inline constexpr const char* kFitFormat = "warplut-fit";
 inline constexpr const char* kTableFormat = "warplut-table";
-inline constexpr int kTableVersion = 2;  // version 1 has no prefilter
+inline constexpr int kTableVersion = 2;  // version 1 has neither prefilter nor taps
 
 // Parses a file of at most kMaxJsonBytes; an Error names it.
 nlohmann::json ReadJson(const std::filesystem::path& path);
@@ -23,5 +24,10 @@ int CheckHeader(JsonFields& fields, const char* format, int oldest, int newest);
 inline void CheckHeader(JsonFields& fields, const char* format, int version) {
   CheckHeader(fields, format, version, version);
 }
+
+// The field "taps", written where it is not 16, and read back: 16 where it is absent. An Error says what was
+// found and what was expected.
+void WriteFootprint(Footprint footprint, nlohmann::ordered_json& json);
+Footprint ReadFootprint(JsonFields& fields);
 
 }  // namespace warplut

@@ -8,3 +8,10 @@
 #endif
 
 #include <hwy/targets.h>
+
+namespace warplut {
+
+// The floats of the widest vectors that kernels use.
+inline constexpr int kLargestLanes = 16;
+
+}  // namespace warplut

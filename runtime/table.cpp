@@ -23,42 +23,57 @@ float Decode(const TableView& view, int index) {
   return 0.0f;
 }
 
+bool InWindow(int x, int y) {
+  constexpr int kEnd = kFirstWindowTap + kWindowTaps;
+  return x < kEnd && y < kEnd;
+}
+
 }  // namespace
 
 Table::Table(const TableView& view)
-    : rows_(kTableNodes * kTableNodes), prefilter_(view.prefilter) {
+    : lines_(
+          static_cast<std::size_t>(kTableNodes * kTableNodes * RowFloats(view.footprint) / kLine)),
+      prefilter_(view.prefilter),
+      footprint_(view.footprint) {
+  const FootprintTaps& taps = TapsOf(footprint_);
+  const TapLayout& layout = LayoutOf(footprint_);
   for (int jy = 0; jy < kTableNodes; ++jy) {
     for (int ix = 0; ix < kTableNodes; ++ix) {
       // Node 32 is node 0 of the next texel: its tap k is tap k - 1 there.
       const int shift_x = ix / kNodes;
       const int shift_y = jy / kNodes;
-      const int row = RowIndex(ix % kNodes, jy % kNodes) * kWeights;
-      Weights<float>& out = rows_[jy * kTableNodes + ix].weights;
-      out.fill(0.0f);
-      for (int ky = shift_y; ky < kTaps; ++ky) {
-        for (int kx = shift_x; kx < kTaps; ++kx) {
-          out[WeightIndex(kx, ky)] = Decode(view, row + WeightIndex(kx - shift_x, ky - shift_y));
-        }
+      const int row = RowIndex(ix % kNodes, jy % kNodes) * taps.count;
+      Weights<float> weights{};
+      for (int i = 0; i < taps.count; ++i) {
+        const int x = TapX(taps[i]) + shift_x, y = TapY(taps[i]) + shift_y;
+        if (InWindow(x, y)) weights[TapWeight(x, y)] = Decode(view, row + i);
+      }
+      for (int place = 0; place < taps.count; ++place) {
+        const int at = (jy * kTableNodes + ix) * RowFloats(footprint_) + place;
+        lines_[at / kLine].weights[at % kLine] = weights[layout.Weight(place)];
       }
     }
   }
 }
 
 Weights<float> Table::At(float dx, float dy, Lookup lookup) const {
+  const TapLayout& layout = LayoutOf(footprint_);
+  const int taps = TapCount(footprint_);
+  Weights<float> w{};
   if (lookup == Lookup::kNearest) {
-    return rows_[NearestNode(dy) * kTableNodes + NearestNode(dx)].weights;
+    for (int place = 0; place < taps; ++place) {
+      w[layout.Weight(place)] = Weight(NearestNode(dx), NearestNode(dy), place);
+    }
+    return w;
   }
   const int ix = static_cast<int>(dx * kNodes);
   const int jy = static_cast<int>(dy * kNodes);
   const float fx = dx * kNodes - static_cast<float>(ix);
   const float fy = dy * kNodes - static_cast<float>(jy);
-  const int corner = jy * kTableNodes + ix;
-  Weights<float> w;
-  for (int k = 0; k < kWeights; ++k) {
-    const float upper = (1 - fx) * rows_[corner].weights[k] + fx * rows_[corner + 1].weights[k];
-    const float lower = (1 - fx) * rows_[corner + kTableNodes].weights[k] +
-                        fx * rows_[corner + kTableNodes + 1].weights[k];
-    w[k] = (1 - fy) * upper + fy * lower;
+  for (int place = 0; place < taps; ++place) {
+    const float upper = (1 - fx) * Weight(ix, jy, place) + fx * Weight(ix + 1, jy, place);
+    const float lower = (1 - fx) * Weight(ix, jy + 1, place) + fx * Weight(ix + 1, jy + 1, place);
+    w[layout.Weight(place)] = (1 - fy) * upper + fy * lower;
   }
   return w;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "luts/contract.h"
+#include "runtime/tap_layout.h"
 
 namespace warplut {
 
@@ -26,22 +27,32 @@ class Table {
   // (the contract keeps the tap that would leave the window at zero). Assumes that the view keeps the contract.
   explicit Table(const TableView& view);
 
-  // The weights for offset (dx, dy) in [0, 1). The nearest lookup is exactly what every kernel uses; the bilinear
+  // The weights for offset (dx, dy) in [0, 1): those of the window, 0 where there is no tap. The nearest lookup is exactly what every kernel uses; the bilinear
   // one is that of the kernels up to float rounding (a kernel may fuse multiply and add): 2^-22 per weight.
   Weights<float> At(float dx, float dy, Lookup lookup) const;
 
-  // 33 x 33 rows of 16 weights, dy slowest, 64-byte aligned rows.
-  const float* data() const { return rows_.front().weights.data(); }
+  // 33 x 33 rows of RowFloats(footprint()) numbers, dy slowest, 64-byte aligned: the weights in the
+  // order of LayoutOf(footprint()), then 0.
+  const float* data() const { return lines_.front().weights.data(); }
+
+  Footprint footprint() const { return footprint_; }
 
   // What turns an image into the coefficients that this table reads (luts/prefilter.h).
   const Prefilter& prefilter() const { return prefilter_; }
 
  private:
-  struct alignas(64) Row {
-    Weights<float> weights;
+  static constexpr int kLine = 16;
+  struct alignas(64) Line {
+    std::array<float, kLine> weights{};
   };
-  std::vector<Row> rows_;
+
+  float Weight(int ix, int jy, int place) const {
+    return data()[(jy * kTableNodes + ix) * RowFloats(footprint_) + place];
+  }
+
+  std::vector<Line> lines_;
   Prefilter prefilter_;
+  Footprint footprint_;
 };
 
 }  // namespace warplut

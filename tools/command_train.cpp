@@ -8,6 +8,7 @@
 
 #include "datasets/file.h"
 #include "luts/fit.h"
+#include "luts/footprint_names.h"
 #include "luts/prefilter_json.h"
 #include "tools/command.h"
 #include "tools/image_set.h"
@@ -28,6 +29,7 @@ struct TrainArguments {
   std::string name;
   std::string objective = Name(TrainObjective::kWarp);
   std::string prefilter = PrefilterName({});
+  int taps = TapCount(TrainOptions().footprint);
   std::string optimizer = Name(Optimizer::kLbfgs);
   bool json = false;
 };
@@ -116,6 +118,10 @@ ExitCode RunTrain(TrainArguments arguments) {
   RequireUsage(SetPrefilter(arguments.prefilter, &options),
                fmt::format("--prefilter is '{}'; expected none, spline, iir or fir:N.",
                            arguments.prefilter));
+  const std::optional<Footprint> footprint = FootprintWith(arguments.taps);
+  RequireUsage(footprint.has_value(),
+               fmt::format("--taps is {}; expected {}.", arguments.taps, FootprintNames()));
+  options.footprint = *footprint;
   options.checkpoint = out.string() + ".checkpoint";
   std::string why;
   RequireUsage(options.IsValid(&why), why);
@@ -187,6 +193,11 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
           "What is learned beside the table: none, spline (fixed, of the best spline), iir "
           "(recursive) or fir:N (N taps, odd, 3 to 15)")
       ->capture_default_str();
+  command
+      ->add_option("--taps", arguments->taps,
+                   fmt::format("Texels that a warp weighs: {}; more than 16 with --prefilter none",
+                               FootprintNames()))
+      ->capture_default_str();
   command->add_option("--blend-a", options.blend_a,
                       "Share of a sample on the pixel centre, with --objective sr (default: the "
                       "pipeline's)");
@@ -202,10 +213,11 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   command->add_option("--gain-bound", options.gain_bound,
                       "Largest gain of any node (default: by horizons)");
-  command->add_option("--pan-share", options.pan_share,
-                      fmt::format("Share of constant motion in the objective, in [0, 1) (default: "
-                                  "{:.2f}, {} with --prefilter none, {} with --objective sr)",
-                                  kPanShare, kPlainPanShare, kSrPanShare));
+  command->add_option(
+      "--pan-share", options.pan_share,
+      fmt::format("Share of constant motion in the objective, in [0, 1) (default: "
+                  "{:.2f}, {} with 16 taps and --prefilter none, {} with --objective sr)",
+                  kPanShare, kPlainPanShare, kSrPanShare));
   command->add_option(
       "--aliasing", options.aliasing,
       fmt::format("Noise of samples by aliasing, in output pixels, with --objective "

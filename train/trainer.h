@@ -4,7 +4,8 @@
 // its trajectories by heart, and starts the optimizer from where the last one ended; early stages
 // have fewer crops and a smoother objective. At the end of a stage the gain is limited, so that the
 // weights keep their bound (train/gain_limit.h). With a prefilter the start is the spline with the
-// least objective, and the baselines are splines (train/spline_family.h). After each stage the fit is validated on crops that
+// least objective, and the baselines are splines (train/spline_family.h); of 24 and 36 taps they are a
+// wide kernel and windowed sincs (train/kaiser_family.h). After each stage the fit is validated on crops that
 // are drawn from other places and trajectories of their own; the best stage is the result.
 #pragma once
 
