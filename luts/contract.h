@@ -1,22 +1,26 @@
 // The LUT contract: the layout that trainer, baker and kernel agree on, and all that they share.
 //
-// A table holds, for each of 32 x 32 sub-pixel offsets, the 16 weights of a 4 x 4 neighbourhood.
-//   offset   d = (dx, dy) in [0, 1)^2: the fraction of the sampled position, from the upper-left
-//            texel centre of the 2 x 2 cell that contains it; x right, y down.
-//   taps     -1, 0, 1, 2 in each axis, counted from that texel.
-//   weights  k = 4 * ky + kx with kx, ky = 0..3 for the taps -1..2 (x fastest).
-//   nodes    offset i / 32 for i = 0..31 in each axis. Node 32 is node 0 of the next texel, so that
-//            0 and 1/2 are nodes.
-//   rows     ((jy * 32) + ix) * 16 + k: dy slowest, dx next, weight fastest.
+// A table holds, for each of 32 x 32 sub-pixel offsets, one weight for each tap of its footprint.
+//   offset     d = (dx, dy) in [0, 1)^2: the fraction of the sampled position, from the upper-left
+//              texel centre of the 2 x 2 cell that contains it; x right, y down.
+//   taps       whole texels, counted from that texel. All lie in the window: -2..3 in each axis.
+//   footprint  which taps of the window there are: 16 are the 4 x 4 square -1..2 (the default), 24
+//              add to it two more on each side, the central ones, and 36 are the whole window.
+//   nodes      offset i / 32 for i = 0..31 in each axis. Node 32 is node 0 of the next texel, so
+//              that 0 and 1/2 are nodes.
+//   rows       (jy * 32 + ix) * taps + k: dy slowest, dx next, weight fastest. The weights of a row
+//              are those of the footprint's taps, row by row of the window, x fastest.
 // Every row sums to exactly 1 in its own fixed point. Without prefilter row (0, 0) is exactly the
-// identity; a node with dx = 0 has weights only in column kx = 1 and one with dy = 0 only in row
-// ky = 1, so that the weights are continuous from each cell to the next.
+// identity; a node with dx = 0 has weights only in the column of tap 0 and one with dy = 0 only in
+// the row of tap 0, so that the weights are continuous from each cell to the next.
 //
-// A table may have a prefilter (luts/prefilter.h): it then weighs coefficients in place of samples.
-// Row (0, 0) holds the products of (s, 1 - 2 s, s, 0), s the prefilter's side, within
-// WholeOffsetTolerance; a node with dx = 0 has no weight in column kx = 3 and equal ones in the
-// columns 0 and 2, one with dy = 0 none in row ky = 3 and equal ones in the rows 0 and 2.
-// Source: Mob-FGSR (SIGGRAPH 2024), section 4 "Learning LUT"; the node positions are ours.
+// A table of 16 taps may have a prefilter (luts/prefilter.h): it then weighs coefficients in place
+// of samples. Row (0, 0) holds the products of (s, 1 - 2 s, s, 0), s the prefilter's side, within
+// WholeOffsetTolerance; a node with dx = 0 has no weight in the column of tap 2 and equal ones in
+// those of the taps -1 and 1, one with dy = 0 none in the row of tap 2 and equal ones in the rows
+// of the taps -1 and 1.
+// Source: Mob-FGSR (SIGGRAPH 2024), section 4 "Learning LUT"; the node positions and the larger
+// footprints are ours.
 #pragma once
 
 #include <array>
@@ -28,26 +32,98 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-inline constexpr int kNodes = 32;                                       // nodes per axis
-inline constexpr int kTaps = 4;                                         // taps per axis
-inline constexpr int kFirstTap = -1;                                    // tap of kx = 0
-inline constexpr int kWeights = kTaps * kTaps;                          // weights per node
-inline constexpr int kRows = kNodes * kNodes;                           // rows of a table
-inline constexpr int kTableValues = kRows * kWeights;                   // numbers in a table
-inline constexpr int kIdentityWeight = -kFirstTap * kTaps - kFirstTap;  // weight of tap (0, 0)
-
+inline constexpr int kNodes = 32;              // nodes per axis
+inline constexpr int kRows = kNodes * kNodes;  // rows of a table
 static_assert(kNodes % 2 == 0, "one half must be a node");
-static_assert(kTableValues == 32 * 32 * 16);
-static_assert(kIdentityWeight == 5);
 
-constexpr int WeightIndex(int kx, int ky) { return ky * kTaps + kx; }
-constexpr int TapX(int k) { return k % kTaps + kFirstTap; }
-constexpr int TapY(int k) { return k / kTaps + kFirstTap; }
+// The taps of one axis of the default footprint and of every closed-form filter.
+inline constexpr int kTaps = 4;
+inline constexpr int kFirstTap = -1;
+
+// The window. Weights in memory are those of a window, 0 where the footprint has no tap.
+inline constexpr int kWindowTaps = 6;  // taps per axis
+inline constexpr int kFirstWindowTap = -2;
+inline constexpr int kWeights = kWindowTaps * kWindowTaps;
+
+constexpr int WeightIndex(int kx, int ky) { return ky * kWindowTaps + kx; }
+constexpr int TapX(int k) { return k % kWindowTaps + kFirstWindowTap; }
+constexpr int TapY(int k) { return k / kWindowTaps + kFirstWindowTap; }
+// The weight of tap (x, y).
+constexpr int TapWeight(int x, int y) {
+  return WeightIndex(x - kFirstWindowTap, y - kFirstWindowTap);
+}
+inline constexpr int kIdentityWeight = TapWeight(0, 0);
+
 constexpr int RowIndex(int ix, int jy) { return jy * kNodes + ix; }
 constexpr double NodeOffset(int i) { return static_cast<double>(i) / kNodes; }
 
 template <class T>
 using Weights = std::array<T, kWeights>;
+
+enum class Footprint : std::uint8_t { k16, k24, k36 };
+
+inline constexpr std::array<Footprint, 3> kFootprints = {Footprint::k16, Footprint::k24,
+                                                         Footprint::k36};
+
+// Whether tap (x, y) of the window belongs to the footprint.
+constexpr bool HasTap(Footprint footprint, int x, int y) {
+  constexpr int kLastTap = kFirstTap + kTaps - 1;
+  const bool inner_x = x >= kFirstTap && x <= kLastTap;
+  const bool inner_y = y >= kFirstTap && y <= kLastTap;
+  const bool central_x = x == 0 || x == 1;
+  const bool central_y = y == 0 || y == 1;
+  switch (footprint) {
+    case Footprint::k16:
+      return inner_x && inner_y;
+    case Footprint::k24:
+      return (inner_x && inner_y) || central_x || central_y;
+    case Footprint::k36:
+      return true;
+  }
+  return false;
+}
+
+// The taps of a footprint in the order of a table's rows, each as its weight of the window.
+struct FootprintTaps {
+  std::array<int, kWeights> weights{};
+  int count = 0;
+
+  constexpr explicit FootprintTaps(Footprint footprint) {
+    for (int k = 0; k < kWeights; ++k) {
+      if (HasTap(footprint, TapX(k), TapY(k))) {
+        weights[static_cast<std::size_t>(count++)] = k;
+      }
+    }
+  }
+
+  constexpr const int* begin() const { return weights.data(); }
+  constexpr const int* end() const { return weights.data() + count; }
+  constexpr int operator[](int i) const { return weights[static_cast<std::size_t>(i)]; }
+};
+
+inline constexpr std::array<FootprintTaps, kFootprints.size()> kFootprintTaps = {
+    FootprintTaps(Footprint::k16), FootprintTaps(Footprint::k24), FootprintTaps(Footprint::k36)};
+
+constexpr const FootprintTaps& TapsOf(Footprint footprint) {
+  return kFootprintTaps[static_cast<std::size_t>(footprint)];
+}
+constexpr int TapCount(Footprint footprint) { return TapsOf(footprint).count; }
+
+// The taps per axis of the least square that holds the footprint, and its first one.
+constexpr int AxisTaps(Footprint footprint) {
+  return footprint == Footprint::k16 ? kTaps : kWindowTaps;
+}
+constexpr int FirstAxisTap(Footprint footprint) {
+  return footprint == Footprint::k16 ? kFirstTap : kFirstWindowTap;
+}
+
+// Numbers in a table.
+constexpr int TableValues(Footprint footprint) { return kRows * TapCount(footprint); }
+inline constexpr int kTableValues = TableValues(Footprint::k16);
+
+static_assert(TapCount(Footprint::k16) == 16 && TapCount(Footprint::k24) == 24 &&
+              TapCount(Footprint::k36) == 36);
+static_assert(kTableValues == 32 * 32 * 16);
 
 // How a table stores its weights: integers q of a grid, weight = q / 2^FractionBits, in [-2, 2) in
 // every format.
@@ -96,12 +172,13 @@ constexpr double WholeOffsetTolerance(TableFormat format) {
   return 2.0 / (1 << FractionBits(format));
 }
 
-// A baked table: kTableValues weights in `format`. `data` is int16_t, uint16_t (bits of a half),
-// int8_t or float, and stays owned by whoever made it (a baked header has static storage).
+// A baked table: TableValues(footprint) weights in `format`. `data` is int16_t, uint16_t (bits of a
+// half), int8_t or float, and stays owned by whoever made it (a baked header has static storage).
 struct TableView {
   TableFormat format = TableFormat::kI16;
   const void* data = nullptr;
-  Prefilter prefilter = {};  // of the image, before the table reads it
+  Prefilter prefilter = {};  // of the image, before the table reads it; none but with 16 taps
+  Footprint footprint = Footprint::k16;
 };
 
 }  // namespace warplut

@@ -1,5 +1,5 @@
-// The resampling formulas, once: weights of the closed-form filters, and the sum that turns 16 weights
-// and 16 texels into a value. T is float in the reference kernel, double in the trainer, or any type with
+// The resampling formulas, once: weights of the closed-form filters, and the sum that turns weights
+// and texels into a value. T is float in the reference kernel, double in the trainer, or any type with
 // arithmetic (a dual number) where derivatives are wanted.
 #pragma once
 
@@ -63,11 +63,24 @@ constexpr std::array<T, kTaps> BilinearTaps(T d) {
   return {T(0), T(1) - d, d, T(0)};
 }
 
-// The tensor product of the weights of two axes.
+// The tensor product of the weights of two axes: 4 x 4 taps.
 template <class T>
 constexpr Weights<T> Separable(const std::array<T, kTaps>& x, const std::array<T, kTaps>& y) {
   Weights<T> w{};
-  for (int k = 0; k < kWeights; ++k) w[k] = y[k / kTaps] * x[k % kTaps];
+  for (int ky = 0; ky < kTaps; ++ky) {
+    for (int kx = 0; kx < kTaps; ++kx) {
+      w[TapWeight(kFirstTap + kx, kFirstTap + ky)] = y[ky] * x[kx];
+    }
+  }
+  return w;
+}
+
+// The same of 6 x 6 taps.
+template <class T>
+constexpr Weights<T> Separable(const std::array<T, kWindowTaps>& x,
+                               const std::array<T, kWindowTaps>& y) {
+  Weights<T> w{};
+  for (int k = 0; k < kWeights; ++k) w[k] = y[k / kWindowTaps] * x[k % kWindowTaps];
   return w;
 }
 
@@ -86,11 +99,13 @@ constexpr Weights<T> BilinearWeights(T dx, T dy) {
   return Separable(BilinearTaps(dx), BilinearTaps(dy));
 }
 
-// The sampled value: sum of weight times texel, in the order k = 0..15.
+// The sampled value: sum of weight times texel over the taps of the footprint, in their order.
 template <class T, class Texel>
-constexpr Texel ApplyWeights(const Weights<T>& w, const std::array<Texel, kWeights>& texels) {
-  Texel sum = w[0] * texels[0];
-  for (int k = 1; k < kWeights; ++k) sum = sum + w[k] * texels[k];
+constexpr Texel ApplyWeights(Footprint footprint, const Weights<T>& w,
+                             const std::array<Texel, kWeights>& texels) {
+  const FootprintTaps& taps = TapsOf(footprint);
+  Texel sum = w[taps[0]] * texels[taps[0]];
+  for (int i = 1; i < taps.count; ++i) sum = sum + w[taps[i]] * texels[taps[i]];
   return sum;
 }
 

@@ -1,6 +1,7 @@
 // A baked table made ready for lookup: floats, 33 x 33 nodes, so that bilinear lookup needs no wrap.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 
 #include "luts/contract.h"
 #include "luts/half.h"
+#include "luts/tap_layout.h"
 #include "luts/visibility.h"
 
 namespace WARPLUT_PUBLIC warplut {
@@ -42,62 +44,85 @@ constexpr int NearestNode(float d) { return static_cast<int>(d * kNodes + 0.5f);
 
 class Table {
  public:
-  // Decodes the table; `view.data` need not outlive the call. Rows of node 32 are those of node 0, one tap further
-  // (the contract keeps the tap that would leave the window at zero). Assumes that the view keeps the contract.
+  // Decodes the table; `view.data` need not outlive the call. Rows of node 32 are those of node 0, one
+  // tap further (the contract keeps the tap that would leave the window at zero). Assumes that the
+  // view keeps the contract.
   explicit Table(const TableView& view);
 
-  // The weights for offset (dx, dy) in [0, 1). The nearest lookup is exactly what every kernel uses; the bilinear
-  // one is that of the kernels up to float rounding (a kernel may fuse multiply and add): 2^-22 per weight.
+  // The weights for offset (dx, dy) in [0, 1): those of the window, 0 where there is no tap. Those of
+  // the nearest lookup are exactly those of every kernel. Those of the bilinear one are, up to float
+  // rounding (a kernel may fuse multiply and add): 2^-22 per weight.
   Weights<float> At(float dx, float dy, Lookup lookup) const;
 
-  // 33 x 33 rows of 16 weights, dy slowest, 64-byte aligned rows.
-  const float* data() const { return rows_.front().weights.data(); }
+  // 33 x 33 rows of RowFloats(footprint()) numbers, dy slowest, 64-byte aligned: the weights in the
+  // order of LayoutOf(footprint()), then 0.
+  const float* data() const { return lines_.front().weights.data(); }
 
-  // The prefilter that turns an image into the coefficients of this table (luts/prefilter.h).
+  Footprint footprint() const { return footprint_; }
+
+  // What turns an image into the coefficients that this table reads (luts/prefilter.h).
   const Prefilter& prefilter() const { return prefilter_; }
 
  private:
-  struct alignas(64) Row {
-    Weights<float> weights;
+  static constexpr int kLine = 16;
+  struct alignas(64) Line {
+    std::array<float, kLine> weights{};
   };
-  std::vector<Row> rows_;
+
+  float Weight(int ix, int jy, int place) const {
+    return data()[(jy * kTableNodes + ix) * RowFloats(footprint_) + place];
+  }
+
+  std::vector<Line> lines_;
   Prefilter prefilter_;
+  Footprint footprint_;
 };
 
 inline Table::Table(const TableView& view)
-    : rows_(kTableNodes * kTableNodes), prefilter_(view.prefilter) {
+    : lines_(
+          static_cast<std::size_t>(kTableNodes * kTableNodes * RowFloats(view.footprint) / kLine)),
+      prefilter_(view.prefilter),
+      footprint_(view.footprint) {
+  const FootprintTaps& taps = TapsOf(footprint_);
+  const TapLayout& layout = LayoutOf(footprint_);
   for (int jy = 0; jy < kTableNodes; ++jy) {
     for (int ix = 0; ix < kTableNodes; ++ix) {
       // Node 32 is node 0 of the next texel: its tap k is tap k - 1 there.
       const int shift_x = ix / kNodes;
       const int shift_y = jy / kNodes;
-      const int row = RowIndex(ix % kNodes, jy % kNodes) * kWeights;
-      Weights<float>& out = rows_[jy * kTableNodes + ix].weights;
-      out.fill(0.0f);
-      for (int ky = shift_y; ky < kTaps; ++ky) {
-        for (int kx = shift_x; kx < kTaps; ++kx) {
-          out[WeightIndex(kx, ky)] = DecodedWeight(view, row + WeightIndex(kx - shift_x, ky - shift_y));
-        }
+      const int row = RowIndex(ix % kNodes, jy % kNodes) * taps.count;
+      constexpr int kEnd = kFirstWindowTap + kWindowTaps;
+      Weights<float> weights{};
+      for (int i = 0; i < taps.count; ++i) {
+        const int x = TapX(taps[i]) + shift_x, y = TapY(taps[i]) + shift_y;
+        if (x < kEnd && y < kEnd) weights[TapWeight(x, y)] = DecodedWeight(view, row + i);
+      }
+      for (int place = 0; place < taps.count; ++place) {
+        const int at = (jy * kTableNodes + ix) * RowFloats(footprint_) + place;
+        lines_[at / kLine].weights[at % kLine] = weights[layout.Weight(place)];
       }
     }
   }
 }
 
 inline Weights<float> Table::At(float dx, float dy, Lookup lookup) const {
+  const TapLayout& layout = LayoutOf(footprint_);
+  const int taps = TapCount(footprint_);
+  Weights<float> w{};
   if (lookup == Lookup::kNearest) {
-    return rows_[NearestNode(dy) * kTableNodes + NearestNode(dx)].weights;
+    for (int place = 0; place < taps; ++place) {
+      w[layout.Weight(place)] = Weight(NearestNode(dx), NearestNode(dy), place);
+    }
+    return w;
   }
   const int ix = static_cast<int>(dx * kNodes);
   const int jy = static_cast<int>(dy * kNodes);
   const float fx = dx * kNodes - static_cast<float>(ix);
   const float fy = dy * kNodes - static_cast<float>(jy);
-  const int corner = jy * kTableNodes + ix;
-  Weights<float> w;
-  for (int k = 0; k < kWeights; ++k) {
-    const float upper = (1 - fx) * rows_[corner].weights[k] + fx * rows_[corner + 1].weights[k];
-    const float lower = (1 - fx) * rows_[corner + kTableNodes].weights[k] +
-                        fx * rows_[corner + kTableNodes + 1].weights[k];
-    w[k] = (1 - fy) * upper + fy * lower;
+  for (int place = 0; place < taps; ++place) {
+    const float upper = (1 - fx) * Weight(ix, jy, place) + fx * Weight(ix + 1, jy, place);
+    const float lower = (1 - fx) * Weight(ix, jy + 1, place) + fx * Weight(ix + 1, jy + 1, place);
+    w[layout.Weight(place)] = (1 - fy) * upper + fy * lower;
   }
   return w;
 }

@@ -14,7 +14,7 @@ enum class Filter : std::uint8_t { kBilinear, kCatmullRom, kKeys, kLut, kSpline 
 struct FilterInfo {
   Filter filter;
   const char* name;
-  int taps;          // per axis
+  int taps;          // per axis; a table may have more (luts/contract.h)
   bool needs_a;      // takes the Keys parameter
   bool needs_table;  // takes a table and a lookup
   bool needs_k;      // takes the spline parameter, and reads coefficients (luts/prefilter.h)

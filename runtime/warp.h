@@ -1,8 +1,8 @@
 // Warping: every output pixel p takes the history at p - m(p).
 //
-//   out(p) = sum over k = 0..15 of w_k(d) * history(t + (TapX(k), TapY(k))),   p - m(p) = t + d,   d in [0, 1)^2
+//   out(p) = sum over taps k of w_k(d) * history(t + (TapX(k), TapY(k))),   p - m(p) = t + d,   d in [0, 1)^2
 //
-// with the weights w of the chosen filter, clamped texel coordinates at the borders, and m in pixels of
+// with the weights w and the taps of the chosen filter (FootprintOf), clamped texel coordinates at the borders, and m in pixels of
 // the image, from history to now (x right, y down). A NaN or infinite component of m counts as zero; a
 // position far outside gives the border texel. Where d = (0, 0) the texel is copied, bit for bit.
 //
@@ -45,8 +45,8 @@ inline constexpr int kLargestSize = 1 << 20;
 struct WarpOptions {
   Filter filter = kPipeline.filter.value_or(Filter::kCatmullRom);
   float keys_a = static_cast<float>(kCatmullRomA);  // Filter::kKeys: in [-1, 0]
-  float spline_k = 0;                               // Filter::kSpline: in [kLeastSplineK, kLargestSplineK]
-  const Table* table = nullptr;                     // Filter::kLut: not null, outlives the call
+  float spline_k = 0;            // Filter::kSpline: in [kLeastSplineK, kLargestSplineK]
+  const Table* table = nullptr;  // Filter::kLut: not null, outlives the call
   Lookup lookup = kPipeline.lookup.value_or(Lookup::kBilinear);
   bool general_only = false;  // do not use what tiles have in common; for tests and benchmarks
 
@@ -67,6 +67,9 @@ struct PrefilteredImage {
   ImageView samples;
   ImageView coefficients;
 };
+
+// The taps of the options' filter: those of its table, or 16.
+Footprint FootprintOf(const WarpOptions& options);
 
 // The weights of the options' filter for an offset in [0, 1)^2.
 Weights<float> FilterWeights(const WarpOptions& options, float dx, float dy);
@@ -112,8 +115,8 @@ WarpStats WarpRows(const ImageView& history, const MotionView& motion, const War
                    int first_row, int last_row, const MutableImageView& out);
 
 // Warp, WarpRows and WarpReference with a filter that has a prefilter. The output has the samples' format.
-WarpStats Warp(const PrefilteredImage& history, const MotionView& motion, const WarpOptions& options,
-               const MutableImageView& out);
+WarpStats Warp(const PrefilteredImage& history, const MotionView& motion,
+               const WarpOptions& options, const MutableImageView& out);
 WarpStats WarpRows(const PrefilteredImage& history, const MotionView& motion,
                    const WarpOptions& options, int first_row, int last_row,
                    const MutableImageView& out);

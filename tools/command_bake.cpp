@@ -27,15 +27,14 @@ struct BakeArguments {
 };
 
 // The weights of all nodes as every kernel uses them.
-std::vector<float> NodeWeights(const TableView& view) {
+std::vector<Weights<float>> NodeWeights(const TableView& view) {
   const Table table(view);
-  std::vector<float> rows;
-  rows.reserve(kTableValues);
+  std::vector<Weights<float>> rows;
+  rows.reserve(kRows);
   for (int row = 0; row < kRows; ++row) {
     const auto dx = static_cast<float>(NodeOffset(row % kNodes));
     const auto dy = static_cast<float>(NodeOffset(row / kNodes));
-    const Weights<float> weights = table.At(dx, dy, Lookup::kNearest);
-    rows.insert(rows.end(), weights.begin(), weights.end());
+    rows.push_back(table.At(dx, dy, Lookup::kNearest));
   }
   return rows;
 }
@@ -60,7 +59,8 @@ ExitCode RunBake(const BakeArguments& arguments) {
   CreateFolder(out);
   WriteBaked(out, files);
   const BakedTable table = LoadTable(out / (files.name + ".json")).table;
-  WriteImage(out / (files.name + ".png"), LutPicture(NodeWeights(table.view())), PixelType::kUint8);
+  WriteImage(out / (files.name + ".png"),
+             LutPicture(table.view().footprint, NodeWeights(table.view())), PixelType::kUint8);
 
   std::vector<std::string> endings = {".h", ".json", ".png"};
   if (!files.exr.empty()) endings.insert(endings.begin() + 2, ".exr");

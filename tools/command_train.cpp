@@ -8,6 +8,7 @@
 #include "datasets/file.h"
 #include "luts/fit/fit.h"
 #include "luts/fit/prefilter_json.h"
+#include "luts/footprint_names.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
 #include "tools/judge/image_set.h"
@@ -27,6 +28,7 @@ struct TrainArguments {
   std::string name;
   std::string objective = Name(TrainObjective::kWarp);
   std::string prefilter = PrefilterName({});
+  int taps = TapCount(TrainOptions().footprint);
   std::string optimizer = Name(Optimizer::kLbfgs);
   bool json = false;
 };
@@ -110,6 +112,10 @@ ExitCode RunTrain(TrainArguments arguments) {
   RequireUsage(SetPrefilter(arguments.prefilter, &options),
                fmt::format("--prefilter is '{}'; expected none, spline, iir or fir:N.",
                            arguments.prefilter));
+  const std::optional<Footprint> footprint = FootprintWith(arguments.taps);
+  RequireUsage(footprint.has_value(),
+               fmt::format("--taps is {}; expected {}.", arguments.taps, FootprintNames()));
+  options.footprint = *footprint;
   options.checkpoint = out.string() + ".checkpoint";
   std::string why;
   RequireUsage(options.IsValid(&why), why);
@@ -185,6 +191,11 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
           "Prefilter of the table: none, spline (fixed, of the best spline), iir (trained, "
           "recursive) or fir:N (trained, N taps, odd, 3 to 15)")
       ->capture_default_str();
+  command
+      ->add_option("--taps", arguments->taps,
+                   fmt::format("Texels that a warp weighs: {}; more than 16 with --prefilter none",
+                               FootprintNames()))
+      ->capture_default_str();
   command->add_option("--blend-a", options.blend_a,
                       "Share of a sample on the pixel centre, for --objective sr (default: that of "
                       "the pipeline)");
@@ -203,7 +214,7 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
                       "Largest gain of any node (default: by horizons)");
   command->add_option("--pan-share", options.pan_share,
                       fmt::format("Share of pans in the objective, in [0, 1) (default: "
-                                  "{:.2f}, {} with --prefilter none, {} with --objective sr)",
+                                  "{:.2f}, {} with 16 taps and --prefilter none, {} with --objective sr)",
                                   kPanShare, kPlainPanShare, kSrPanShare));
   command->add_option("--aliasing", options.aliasing,
                       fmt::format("Noise of samples by aliasing, in output pixels, for --objective "

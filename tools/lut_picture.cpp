@@ -13,7 +13,6 @@ constexpr Color kPositive = {0.80f, 0.33f, 0.00f};
 constexpr Color kNegative = {0.00f, 0.27f, 0.65f};
 constexpr float kGapGrey = 0.35f;
 constexpr int kTile = kNodes * kPictureZoom;
-constexpr int kSide = kTaps * kTile + (kTaps + 1) * kPictureGap;
 
 Color WeightColor(float weight) {
   const float depth = std::min(1.0f, std::sqrt(std::abs(weight)));
@@ -25,16 +24,22 @@ Color WeightColor(float weight) {
 
 }  // namespace
 
-Image LutPicture(std::span<const float> rows) {
-  Image picture(kSide, kSide, 3);
+int LutPictureSide(Footprint footprint) {
+  const int taps = AxisTaps(footprint);
+  return taps * kTile + (taps + 1) * kPictureGap;
+}
+
+Image LutPicture(Footprint footprint, const std::vector<Weights<float>>& rows) {
+  const int side = LutPictureSide(footprint);
+  Image picture(side, side, 3);
   std::fill(picture.data.begin(), picture.data.end(), kGapGrey);
-  for (int k = 0; k < kWeights; ++k) {
-    const int left = kPictureGap + (k % kTaps) * (kTile + kPictureGap);
-    const int top = kPictureGap + (k / kTaps) * (kTile + kPictureGap);
+  for (const int k : TapsOf(footprint)) {
+    const int left = kPictureGap + (TapX(k) - FirstAxisTap(footprint)) * (kTile + kPictureGap);
+    const int top = kPictureGap + (TapY(k) - FirstAxisTap(footprint)) * (kTile + kPictureGap);
     for (int y = 0; y < kTile; ++y) {
       for (int x = 0; x < kTile; ++x) {
         const int row = RowIndex(x / kPictureZoom, y / kPictureZoom);
-        const Color color = WeightColor(rows[static_cast<std::size_t>(row) * kWeights + k]);
+        const Color color = WeightColor(rows[static_cast<std::size_t>(row)][k]);
         for (int c = 0; c < 3; ++c) picture.at(left + x, top + y, c) = color[c];
       }
     }

@@ -1,7 +1,7 @@
 // A LUT as an image for the eye.
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "datasets/image.h"
 #include "luts/contract.h"
@@ -12,9 +12,10 @@ namespace warplut {
 inline constexpr int kPictureZoom = 4;
 inline constexpr int kPictureGap = 4;
 
-// 4 x 4 tiles, one per tap (column = x tap, row = y tap); in a tile x = dx, y = dy, one square per node.
+// Tiles of 4 x 4 or 6 x 6, one per tap (column = x tap, row = y tap); in a tile x = dx, y = dy, one square per node.
 // White is 0, orange positive, blue negative; the colour deepens with the square root of |weight|, so that
-// small lobes show. `rows` has kTableValues weights in the order of the contract. The result has 3 channels.
-Image LutPicture(std::span<const float> rows);
+// small lobes show. `rows` has the weights of the kRows nodes. The result has 3 channels and LutPictureSide pixels a side.
+Image LutPicture(Footprint footprint, const std::vector<Weights<float>>& rows);
+int LutPictureSide(Footprint footprint);
 
 }  // namespace warplut

@@ -44,10 +44,12 @@ nlohmann::ordered_json Provenance(const Fit& fit) {
 std::string BakedJson(const Fit& fit, const TableView& table, const Certificate& certificate) {
   nlohmann::ordered_json json;
   json["format"] = kTableFormat;
-  json["version"] = HasPrefilter(table.prefilter) ? kTableVersion : 1;
+  json["version"] =
+      HasPrefilter(table.prefilter) || table.footprint != Footprint::k16 ? kTableVersion : 1;
   json["name"] = fit.name;
   json["scale"] = fit.scale;
   json["nodes"] = kNodes;
+  WriteFootprint(table.footprint, json);
   json["storage"] = Name(table.format);
   json["fraction_bits"] = FractionBits(table.format);
   if (HasPrefilter(table.prefilter)) json["prefilter"] = ToJson(table.prefilter);
@@ -57,8 +59,11 @@ std::string BakedJson(const Fit& fit, const TableView& table, const Certificate&
   text.resize(text.rfind("\n}"));
   text += ",\n \"values\": [\n";
   const std::vector<IntegerRow> rows = TableIntegers(table, fit.name);
+  std::vector<std::int32_t> stored;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    text += fmt::format("  {}{}\n", fmt::join(rows[r], ","), r + 1 < rows.size() ? "," : "");
+    stored.clear();
+    for (const int k : TapsOf(table.footprint)) stored.push_back(rows[r][k]);
+    text += fmt::format("  {}{}\n", fmt::join(stored, ","), r + 1 < rows.size() ? "," : "");
   }
   return text + " ]\n}\n";
 }
@@ -80,7 +85,7 @@ BakedFiles Bake(const Fit& fit, const BakeOptions& options) {
   const Certificate certificate = Certify(fit, options.format, options.blend);
   return {fit.name, BakedHeader(fit, table.view(), certificate),
           BakedJson(fit, table.view(), certificate),
-          HasPrefilter(fit.prefilter) ? std::string() : EncodeExr(ToReleasedLayout(fit))};
+          HasReleasedLayout(fit) ? EncodeExr(ToReleasedLayout(fit)) : std::string()};
 }
 
 void WriteBaked(const std::filesystem::path& folder, const BakedFiles& files) {

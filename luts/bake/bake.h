@@ -21,7 +21,7 @@ struct BakedFiles {
   std::string name;
   std::string header;  // C++20; includes luts/contract.h only
   std::string json;    // "warplut-table"; docs/FORMATS.md
-  std::string exr;  // the released layout (released_layout.h); empty where the fit has a prefilter
+  std::string exr;     // the released layout (released_layout.h); empty unless HasReleasedLayout
 };
 
 // A pure function: the same fit and options give the same bytes. An Error names the field of the

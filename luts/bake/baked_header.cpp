@@ -136,17 +136,33 @@ std::string Meaning(TableFormat format) {
   return "";
 }
 
+std::string FootprintConstant(Footprint footprint) {
+  return fmt::format("Footprint::k{}", TapCount(footprint));
+}
+
+// How a header names the number of its values.
+std::string ValuesConstant(Footprint footprint) {
+  if (footprint == Footprint::k16) return "kTableValues";
+  return fmt::format("TableValues({})", FootprintConstant(footprint));
+}
+
+// What a header expects of the contract's taps.
+std::string TapsCheck(Footprint footprint) {
+  return footprint == Footprint::k16 ? fmt::format("kTaps == {}", kTaps)
+                                     : fmt::format("kWindowTaps == {}", kWindowTaps);
+}
+
 void AppendValues(const std::string& constant, const TableView& table, Out out) {
   const CppType type = TypeOf(table.format);
   fmt::format_to(out,
                  "// Rows as in luts/contract.h, one a line; {}.\n"
-                 "inline constexpr std::array<{}, kTableValues> {}Values = {{\n",
-                 Meaning(table.format), type.name, constant);
+                 "inline constexpr std::array<{}, {}> {}Values = {{\n",
+                 Meaning(table.format), type.name, ValuesConstant(table.footprint), constant);
+  const int taps = TapCount(table.footprint);
   for (int row = 0; row < kRows; ++row) {
     fmt::format_to(out, "    ");
-    for (int k = 0; k < kWeights; ++k) {
-      fmt::format_to(out, "{}{}", Literal(table, row * kWeights + k),
-                     k + 1 < kWeights ? ", " : ",\n");
+    for (int i = 0; i < taps; ++i) {
+      fmt::format_to(out, "{}{}", Literal(table, row * taps + i), i + 1 < taps ? ", " : ",\n");
     }
   }
   fmt::format_to(out,
@@ -156,6 +172,10 @@ void AppendValues(const std::string& constant, const TableView& table, Out out) 
   if (HasPrefilter(table.prefilter)) {
     fmt::format_to(out, ",\n                                    {}",
                    PrefilterLiteral(table.prefilter));
+  }
+  if (table.footprint != Footprint::k16) {
+    fmt::format_to(out, ",\n                                    {{}}, {}",
+                   FootprintConstant(table.footprint));
   }
   fmt::format_to(out, "}};\n");
 }
@@ -192,8 +212,9 @@ std::string BakedHeader(const Fit& fit, const TableView& table, const Certificat
                  "#include <cstdint>\n\n"
                  "#include \"luts/contract.h\"\n\n"
                  "namespace warplut::baked {{\n\n"
-                 "static_assert(kNodes == {} && kTaps == {} && kTableValues == {});\n\n",
-                 kNodes, kTaps, kTableValues);
+                 "static_assert(kNodes == {} && {} && {} == {});\n\n",
+                 kNodes, TapsCheck(table.footprint), ValuesConstant(table.footprint),
+                 TableValues(table.footprint));
   AppendValues(BakedConstant(fit.name), table, out);
   fmt::format_to(out, "\n}}  // namespace warplut::baked\n");
   return text;

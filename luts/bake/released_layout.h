@@ -19,8 +19,14 @@ inline constexpr int kReleasedSide = kTaps * kNodes;
 // ends of a cell may be: 16 weights of at most 1 rounded to half float are off by less than this together.
 inline constexpr double kReleasedTolerance = 2e-3;
 
+// Whether the layout can hold the fit: 16 taps without a prefilter.
+inline bool HasReleasedLayout(const Fit& fit) {
+  return fit.footprint == Footprint::k16 && !HasPrefilter(fit.prefilter);
+}
+
 // The fit's weights in this layout. They are multiples of 2^-22 (format f32 of the contract), so
-// that each row sums to exactly 1 in float, in any order. An Error if the fit cannot be quantised.
+// that each row sums to exactly 1 in float, in any order. An Error unless HasReleasedLayout, and
+// if the fit cannot be quantised.
 Image ToReleasedLayout(const Fit& fit);
 
 // Reads the layout: a table with kReleasedIntervals intervals. Within kReleasedTolerance, weights that the

@@ -32,7 +32,11 @@ void ExpectInteger(JsonFields& fields, const char* name, int expected) {
 
 LoadedTable FromTableJson(JsonFields fields, const std::string& file) {
   const int version = CheckHeader(fields, kTableFormat, 1, kTableVersion);
-  const Prefilter prefilter = version > 1 ? ReadPrefilter(fields.Object("prefilter")) : Prefilter{};
+  const Footprint footprint = version > 1 ? ReadFootprint(fields) : Footprint::k16;
+  const FootprintTaps& taps = TapsOf(footprint);
+  // Version 2 has taps, a prefilter or both: both is one too many, which CheckTable says.
+  const bool prefiltered = version > 1 && (footprint == Footprint::k16 || fields.Has("prefilter"));
+  const Prefilter prefilter = prefiltered ? ReadPrefilter(fields.Object("prefilter")) : Prefilter{};
   std::string name = fields.Text("name");
   const double scale = fields.Number("scale");
   if (scale < 1) fields.At("scale").Fail(fmt::format("is {}; expected at least 1", scale));
@@ -43,19 +47,22 @@ LoadedTable FromTableJson(JsonFields fields, const std::string& file) {
   fields.Object("provenance");
   fields.Object("certificate");
   const JsonPlace place = fields.At("values");
-  const nlohmann::json& values = place.Array(fields.Take("values"), kTableValues);
+  const nlohmann::json& values =
+      place.Array(fields.Take("values"), static_cast<std::size_t>(TableValues(footprint)));
   std::vector<IntegerRow> rows(kRows);
-  for (int i = 0; i < kTableValues; ++i) {
-    const JsonPlace element = place.Element(static_cast<std::size_t>(i));
-    const int integer = element.Integer(values[static_cast<std::size_t>(i)]);
-    if (!CanStore(format, integer)) {
-      element.Fail(fmt::format("is {}, which {} cannot store; expected a weight in [-2, 2)",
-                               integer, Name(format)));
+  std::size_t i = 0;
+  for (IntegerRow& row : rows) {
+    for (const int k : taps) {
+      const JsonPlace element = place.Element(i);
+      row[k] = element.Integer(values[i++]);
+      if (!CanStore(format, row[k])) {
+        element.Fail(fmt::format("is {}, which {} cannot store; expected a weight in [-2, 2)",
+                                 row[k], Name(format)));
+      }
     }
-    rows[i / kWeights][i % kWeights] = integer;
   }
   fields.Finish();
-  BakedTable table(format, rows, prefilter);
+  BakedTable table(format, rows, prefilter, footprint);
   CheckTable(table.view(), Quoted(file));
   return {std::move(name), std::move(table), scale};
 }

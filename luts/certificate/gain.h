@@ -31,10 +31,12 @@ double GainAt(const Weights<double>& w, double fx, double fy, const Prefilter& p
 Gain MaxGain(const Weights<double>& w, const Prefilter& prefilter = {});
 
 // A maximum of |H|^2 loses at most this fraction at the nearest grid frequency: |H|^2 is a
-// trigonometric polynomial of degree 3 in each axis, so that by Bernstein its second derivative
+// trigonometric polynomial of degree 3 in each axis of 16 taps, so that by Bernstein its second derivative
 // along a step (s, s) is at most (6 s)^2 times its maximum, and the nearest grid frequency is at
 // most s = pi / 64 away in each axis: (6 pi / 64)^2 / 2 = 0.0434.
 inline constexpr double kGridLoss = 0.0434;
+// The same of 24 and 36 taps, a polynomial of degree 5: (10 pi / 64)^2 / 2.
+inline constexpr double kWideGridLoss = 0.1205;
 // The same with a prefilter, whose product with H is no polynomial of low degree: every local
 // maximum of the grid that reaches 1 - this of the best is climbed. 1 / A^2 alone loses at most 2
 // s / (1 - 4 s) (pi / 64)^2 per axis, 1.4 % at kLargestSide.

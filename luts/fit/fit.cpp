@@ -13,6 +13,7 @@
 #include "datasets/json_fields.h"
 #include "luts/fit/json_header.h"
 #include "luts/fit/prefilter_json.h"
+#include "luts/wide_kernel.h"
 
 namespace warplut {
 namespace {
@@ -79,12 +80,23 @@ std::string HeadFault(const Fit& fit) {
   if (!IsJsonObjectLine(fit.options)) {
     return fmt::format("options is '{}', expected one line with a JSON object", fit.options);
   }
-  if (fit.parameters.size() != kMlpParameters) {
-    return fmt::format("parameters has {} values, expected {}", fit.parameters.size(),
-                       kMlpParameters);
+  if (!(fit.kaiser_b >= 0 && fit.kaiser_b <= kLargestKaiser)) {
+    return fmt::format("kaiser_b is {}, expected a number in [0, {}]", fit.kaiser_b,
+                       kLargestKaiser);
+  }
+  if (fit.footprint == Footprint::k16 && fit.kaiser_b != 0) {
+    return fmt::format("kaiser_b is {}, expected 0 of {} taps", fit.kaiser_b,
+                       TapCount(fit.footprint));
+  }
+  const auto expected = static_cast<std::size_t>(MlpParameters(fit.footprint));
+  if (fit.parameters.size() != expected) {
+    return fmt::format("parameters has {} values, expected {}", fit.parameters.size(), expected);
   }
   const char* why = nullptr;
   if (!IsValid(fit.prefilter, &why)) return fmt::format("prefilter {}", why);
+  if (const std::string fault = FootprintFault(fit.footprint, fit.prefilter); !fault.empty()) {
+    return "prefilter is of a fit that " + fault;
+  }
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
     if (!std::isfinite(fit.parameters[i])) {
       return fmt::format("parameters[{}] is {}, expected a finite number", i, fit.parameters[i]);
@@ -110,9 +122,12 @@ std::string RecordFault(const Fit& fit) {
   }
   for (std::size_t i = 0; i < fit.validation.size(); ++i) {
     const FitScore& score = fit.validation[i];
-    if (!OneOf(score.filter, {"lut", "keys", "catmull-rom", "spline", "spline-1/84"})) {
+    if (!OneOf(score.filter,
+               {"lut", "keys", "catmull-rom", "spline", "spline-1/84", "kaiser6-4.5"})) {
       return fmt::format(
-          "validation[{}].filter is \"{}\", expected lut, keys, catmull-rom, spline or spline-1/84",
+          "validation[{}].filter is \"{}\", expected lut, keys, catmull-rom, spline, spline-1/84 "
+          "or "
+          "kaiser6-4.5",
           i, score.filter);
     }
     if (!OneOf(score.offsets, {"half", "random", "pan"})) {
@@ -133,7 +148,8 @@ std::string RecordFault(const Fit& fit) {
 nlohmann::ordered_json ToJson(const Fit& fit) {
   nlohmann::ordered_json json;
   json["format"] = kFitFormat;
-  json["version"] = HasPrefilter(fit.prefilter) ? Fit::kVersion : 1;
+  const bool wide = fit.footprint != Footprint::k16;
+  json["version"] = wide || HasPrefilter(fit.prefilter) ? Fit::kVersion : 1;
   json["name"] = fit.name;
   json["scale"] = fit.scale;
   json["objective"] = fit.objective;
@@ -162,6 +178,8 @@ nlohmann::ordered_json ToJson(const Fit& fit) {
         {{"filter", s.filter}, {"warps", s.warps}, {"offsets", s.offsets}, {"ssim", s.ssim}});
   }
   if (HasPrefilter(fit.prefilter)) json["prefilter"] = ToJson(fit.prefilter);
+  WriteFootprint(fit.footprint, json);
+  if (wide) json["kaiser_b"] = fit.kaiser_b;
   json["parameters"] = fit.parameters;
   return json;
 }
@@ -206,7 +224,10 @@ FitScore ReadScore(JsonFields& item) {
 Fit FromJson(JsonFields fields) {
   const int version = CheckHeader(fields, kFitFormat, 1, Fit::kVersion);
   Fit fit;
-  if (version > 1) {
+  if (version > 1) fit.footprint = ReadFootprint(fields);
+  if (fit.footprint != Footprint::k16) fit.kaiser_b = fields.Number("kaiser_b");
+  // Both taps and a prefilter is one too many, which IsValid says.
+  if (version > 1 && (fit.footprint == Footprint::k16 || fields.Has("prefilter"))) {
     fit.prefilter = ReadPrefilter(fields.Object("prefilter"));
     fit.spline_k = fields.Number("spline_k");
   }

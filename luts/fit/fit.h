@@ -34,7 +34,7 @@ struct FitLoss {
 
 // A validation score: mean SSIM after `warps` warps.
 struct FitScore {
-  std::string filter;  // "lut", "keys", "catmull-rom", "spline", "spline-1/84"
+  std::string filter;  // "lut", "keys", "catmull-rom", "spline", "spline-1/84", "kaiser6-4.5"
   int warps = 0;
   std::string offsets;  // "half", "random" or "pan"
   double ssim = 0;
@@ -48,7 +48,7 @@ bool IsIdentifier(std::string_view text);
 inline constexpr int kMaxRecordedWarps = 1024;
 
 struct Fit {
-  // A fit without prefilter is written as version 1, one with a prefilter as version 2.
+  // A fit of 16 taps without prefilter is written as version 1, the others as version 2.
   static constexpr int kVersion = 2;
 
   std::string name;                // IsIdentifier
@@ -60,10 +60,12 @@ struct Fit {
   double keys_a = 0;               // the best Keys kernel on the same data and loss
   double spline_k = 0;             // with a prefilter: the best spline within the bound, likewise
   std::uint64_t seed = 0;
-  std::string options;             // the training's options: a JSON object on one line
-  bool cut = false;                // a time limit ended the training before its work was done
-  std::vector<double> parameters;  // kMlpParameters finite values
-  Prefilter prefilter = {};
+  std::string options;  // the training's options: a JSON object on one line
+  bool cut = false;     // a time limit ended the training before its work was done
+  Footprint footprint = Footprint::k16;
+  double kaiser_b = 0;             // of 24 and 36 taps: of the base (luts/wide_kernel.h)
+  std::vector<double> parameters;  // MlpParameters(footprint) finite values
+  Prefilter prefilter = {};        // none but with 16 taps
   std::vector<FitData> data;
   std::vector<FitLoss> loss;
   std::vector<FitScore> validation;

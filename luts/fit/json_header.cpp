@@ -2,7 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "datasets/file.h"
+#include "luts/footprint_names.h"
+#include <optional>
 namespace warplut {
+namespace {
+
+constexpr const char* kTapsField = "taps";
+
+}  // namespace
 
 int CheckHeader(JsonFields& fields, const char* format, int oldest, int newest) {
   const std::string found = fields.Text("format");
@@ -17,6 +25,20 @@ int CheckHeader(JsonFields& fields, const char* format, int oldest, int newest) 
         fmt::format("is {}; expected {} that this program reads", found_version, expected));
   }
   return found_version;
+}
+
+void WriteFootprint(Footprint footprint, nlohmann::ordered_json& json) {
+  if (footprint != Footprint::k16) json[kTapsField] = TapCount(footprint);
+}
+
+Footprint ReadFootprint(JsonFields& fields) {
+  if (!fields.Has(kTapsField)) return Footprint::k16;
+  const int found = fields.Integer(kTapsField);
+  const std::optional<Footprint> footprint = FootprintWith(found);
+  if (!footprint) {
+    fields.At(kTapsField).Fail(fmt::format("is {}; expected {}", found, FootprintNames()));
+  }
+  return *footprint;
 }
 
 }  // namespace warplut

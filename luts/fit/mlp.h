@@ -1,5 +1,5 @@
-// The MLP of resampling weights: offset (dx, dy) -> 16 raw values, neurons [16, 32, 64, 16], tanh
-// between layers.
+// The MLP of resampling weights: offset (dx, dy) -> one raw value for each tap of a footprint,
+// neurons [16, 32, 64, taps], tanh between layers.
 //
 // Parameters are one flat array; layer l holds its weights row-major ([out][in]) and then its
 // biases. The input is centred: (2 dx - 1, 2 dy - 1). The head gives the raw values their meaning
@@ -13,27 +13,35 @@
 
 namespace warplut {
 
-inline constexpr std::array<int, 5> kMlpWidths = {2, 16, 32, 64, kWeights};
-inline constexpr int kMlpLayers = static_cast<int>(kMlpWidths.size()) - 1;
+inline constexpr std::array<int, 4> kMlpInner = {2, 16, 32, 64};  // widths before the last layer
+inline constexpr int kMlpLayers = static_cast<int>(kMlpInner.size());
 
-constexpr int MlpLayerOffset(int layer) {
+// How many values go into layer `layer`, or out of the one before it.
+constexpr int MlpWidth(int layer, Footprint footprint) {
+  return layer < kMlpLayers ? kMlpInner[static_cast<std::size_t>(layer)] : TapCount(footprint);
+}
+
+// Where the parameters of a layer begin; that of the last one does not depend on the footprint.
+constexpr int MlpLayerOffset(int layer, Footprint footprint = Footprint::k16) {
   int offset = 0;
-  for (int l = 0; l < layer; ++l) offset += (kMlpWidths[l] + 1) * kMlpWidths[l + 1];
+  for (int l = 0; l < layer; ++l)
+    offset += (MlpWidth(l, footprint) + 1) * MlpWidth(l + 1, footprint);
   return offset;
 }
 
-inline constexpr int kMlpParameters = MlpLayerOffset(kMlpLayers);
+constexpr int MlpParameters(Footprint footprint) { return MlpLayerOffset(kMlpLayers, footprint); }
+inline constexpr int kMlpParameters = MlpParameters(Footprint::k16);
 static_assert(kMlpParameters == 3744);
 
-// The slow, obvious forward pass; the baker's. `parameters` has kMlpParameters values.
+// The slow, obvious forward pass; the baker's. `parameters` has MlpParameters(footprint) values.
 template <class T>
-Weights<T> Mlp(const T* parameters, T dx, T dy) {
+Weights<T> Mlp(const T* parameters, T dx, T dy, Footprint footprint = Footprint::k16) {
   using std::tanh;
   std::array<T, 64> in{T(2) * dx - T(1), T(2) * dy - T(1)};
   std::array<T, 64> out{};
   for (int layer = 0; layer < kMlpLayers; ++layer) {
-    const int n_in = kMlpWidths[layer];
-    const int n_out = kMlpWidths[layer + 1];
+    const int n_in = MlpWidth(layer, footprint);
+    const int n_out = MlpWidth(layer + 1, footprint);
     const T* weight = parameters + MlpLayerOffset(layer);
     const T* bias = weight + n_in * n_out;
     for (int o = 0; o < n_out; ++o) {
@@ -44,7 +52,8 @@ Weights<T> Mlp(const T* parameters, T dx, T dy) {
     in = out;
   }
   Weights<T> raw{};
-  for (int k = 0; k < kWeights; ++k) raw[k] = in[k];
+  const FootprintTaps& taps = TapsOf(footprint);
+  for (int i = 0; i < taps.count; ++i) raw[taps[i]] = in[i];
   return raw;
 }
 

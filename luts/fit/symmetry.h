@@ -1,7 +1,8 @@
-// The 8 symmetries of the square, acting on offsets and on the 16 taps.
+// The 8 symmetries of the square, acting on offsets and on the taps of the window.
 //
 // A resampling filter must not care how the image is turned: if g maps offset d to g(d), the weights must
-// satisfy w(g(d))[g(k)] = w(d)[k]. Flip x maps dx to 1 - dx and tap kx to 3 - kx; transpose swaps the axes.
+// satisfy w(g(d))[g(k)] = w(d)[k]. Flip x maps dx to 1 - dx and tap x to 1 - x; transpose swaps the axes. Every
+// footprint is its own image.
 #pragma once
 
 #include "luts/contract.h"
@@ -20,8 +21,8 @@ constexpr std::array<T, 2> MapOffset(int g, T dx, T dy, T one = T(1)) {
 
 // The index that weight k of offset d has at offset MapOffset(g, d).
 constexpr int MapWeight(int g, int k) {
-  const auto [x, y] = MapOffset<int>(g, k % kTaps, k / kTaps, kTaps - 1);
-  return WeightIndex(x, y);
+  const auto [x, y] = MapOffset<int>(g, TapX(k), TapY(k));
+  return TapWeight(x, y);
 }
 
 }  // namespace warplut

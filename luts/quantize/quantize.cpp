@@ -16,10 +16,12 @@ void CheckRow(const RealTable& table, TableFormat format, int ix, int jy) {
   const Weights<double>& row = table.Row(ix, jy);
   const double one = std::ldexp(1.0, FractionBits(format));
   double sum = 0;
-  for (int k = 0; k < kWeights; ++k) {
+  const FootprintTaps& taps = TapsOf(table.footprint);
+  for (int i = 0; i < taps.count; ++i) {
+    const int k = taps[i];
     const double w = row[k];
     const auto fail = [&](const char* expected) {
-      throw Error(fmt::format("{}: weight {} of node ({}, {}) is {}, expected {}", table.name, k,
+      throw Error(fmt::format("{}: weight {} of node ({}, {}) is {}, expected {}", table.name, i,
                               ix, jy, w, expected));
     };
     if (!std::isfinite(w)) fail("a finite number");
@@ -43,17 +45,17 @@ std::vector<std::vector<int>> TapGroups(const RealTable& table, int ix, int jy, 
   const int intervals = table.intervals;
   const bool prefiltered = HasPrefilter(table.prefilter);
   std::vector<std::vector<int>> groups;
-  for (int k = 0; k < kWeights; ++k) {
+  for (const int k : TapsOf(table.footprint)) {
     if (IsContractZero(prefiltered, intervals, ix, jy, k)) continue;
     std::vector<int> taps;
     for (int g = 0; g < group; ++g) {
       if (MapOffset<int>(g, ix, jy, intervals) != std::array<int, 2>{ix, jy}) continue;
       const int image = MapWeight(g, k);
-      const int x = image % kTaps, y = image / kTaps;
+      const int x = TapX(image), y = TapY(image);
       const int mirrored_x = MirroredTap(prefiltered, intervals, ix, x);
       const int mirrored_y = MirroredTap(prefiltered, intervals, jy, y);
-      for (const int kx : {x, mirrored_x}) {
-        for (const int ky : {y, mirrored_y}) taps.push_back(WeightIndex(kx, ky));
+      for (const int tx : {x, mirrored_x}) {
+        for (const int ty : {y, mirrored_y}) taps.push_back(TapWeight(tx, ty));
       }
     }
     std::sort(taps.begin(), taps.end());
@@ -121,7 +123,7 @@ BakedTable Quantize(const RealTable& table, TableFormat format) {
   for (int jy = 0; jy < kNodes; ++jy) {
     for (int ix = 0; ix < kNodes; ++ix) rows[RowIndex(ix, jy)] = rounded[table.RowAt(ix, jy)];
   }
-  return {format, rows, table.prefilter};
+  return {format, rows, table.prefilter, table.footprint};
 }
 
 }  // namespace warplut

@@ -32,7 +32,7 @@ Stencil LagrangeStencil(double t, int intervals) {
 }  // namespace
 
 RealTable SampleWeights(const std::string& name, int intervals, const WeightFunction& weights) {
-  RealTable table{name, intervals, {}, {}};
+  RealTable table{.name = name, .intervals = intervals, .rows = {}};
   table.rows.reserve(static_cast<std::size_t>(intervals + 1) * (intervals + 1));
   for (int jy = 0; jy <= intervals; ++jy) {
     for (int ix = 0; ix <= intervals; ++ix) {
@@ -45,6 +45,9 @@ RealTable SampleWeights(const std::string& name, int intervals, const WeightFunc
 
 Weights<double> FitWeights(const Fit& fit, double dx, double dy) {
   const double* parameters = fit.parameters.data();
+  if (fit.footprint != Footprint::k16) {
+    return HeadWeights(fit.footprint, fit.kaiser_b, parameters, dx, dy);
+  }
   if (!HasPrefilter(fit.prefilter)) return HeadWeights(parameters, dx, dy);
   return HeadWeights(parameters, dx, dy, static_cast<double>(fit.prefilter.side));
 }
@@ -53,6 +56,7 @@ RealTable SampleFit(const Fit& fit, int intervals) {
   RealTable table = SampleWeights(fit.name, intervals,
                                   [&fit](double dx, double dy) { return FitWeights(fit, dx, dy); });
   table.prefilter = fit.prefilter;
+  table.footprint = fit.footprint;
   return table;
 }
 
@@ -71,6 +75,7 @@ RealTable Resample(const RealTable& table, int intervals) {
     return w;
   });
   resampled.prefilter = table.prefilter;
+  resampled.footprint = table.footprint;
   return resampled;
 }
 
@@ -91,8 +96,8 @@ bool IsContractZero(bool prefiltered, int intervals, int ix, int jy, int k) {
 
 int MirroredTap(bool prefiltered, int intervals, int i, int tap) {
   if (!prefiltered) return tap;
-  if (i == 0 && tap <= 2) return 2 - tap;
-  if (i == intervals && tap >= 1) return kTaps - tap;
+  if (i == 0 && tap >= -1 && tap <= 1) return -tap;
+  if (i == intervals && tap >= 0 && tap <= 2) return 2 - tap;
   return tap;
 }
 

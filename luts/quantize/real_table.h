@@ -18,6 +18,7 @@ struct RealTable {
   int intervals = kNodes;
   std::vector<Weights<double>> rows;  // (intervals + 1)^2, dy slowest
   Prefilter prefilter = {};
+  Footprint footprint = Footprint::k16;
 
   int RowAt(int ix, int jy) const { return jy * (intervals + 1) + ix; }
   const Weights<double>& Row(int ix, int jy) const { return rows[RowAt(ix, jy)]; }
@@ -31,7 +32,7 @@ RealTable SampleWeights(const std::string& name, int intervals, const WeightFunc
 // The head's weights of a valid fit at one offset.
 Weights<double> FitWeights(const Fit& fit, double dx, double dy);
 
-// The head's weights of a valid fit at every node, and its prefilter.
+// The head's weights of a valid fit at every node, with its prefilter and footprint.
 RealTable SampleFit(const Fit& fit, int intervals);
 
 // The table on another grid, by cubic Lagrange interpolation of each weight in each axis on the
@@ -48,8 +49,8 @@ void CloseSum(Weights<double>* w, double dx, double dy);
 // it.
 bool IsContractZero(bool prefiltered, int intervals, int ix, int jy, int k);
 
-// The tap index kx (or ky) that must have the weight of `tap` at node i of its axis: with a
-// prefilter the taps beside the texel of the first (last) node are alike; otherwise `tap` itself.
+// The tap of an axis that must have the weight of `tap` at node i of it: with a prefilter the taps
+// beside the texel of the first (last) node are alike; otherwise `tap` itself.
 int MirroredTap(bool prefiltered, int intervals, int i, int tap);
 
 // The largest difference between a weight and its image under one of the 8 symmetries of the

@@ -10,3 +10,10 @@
 #include <hwy/targets.h>
 
 #include "runtime/core/strict_math.h"
+
+namespace warplut {
+
+// The floats of the widest vectors that kernels use.
+inline constexpr int kLargestLanes = 16;
+
+}  // namespace warplut

@@ -15,6 +15,7 @@
 #include <type_traits>
 
 #include "luts/contract.h"
+#include "runtime/core/instruction_sets.h"
 #include "runtime/core/pixel.h"
 #include "runtime/motion_tiles.h"
 
@@ -27,7 +28,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Vectors of 4, 8 or 16 floats: one, two or four RGBA texels.
 static_assert(!HWY_HAVE_SCALABLE,
               "the kernels need vectors of known size: runtime/core/instruction_sets.h");
-using FloatTag = hn::CappedTag<float, kWeights>;
+using FloatTag = hn::CappedTag<float, kLargestLanes>;
 using IntTag = hn::RebindToSigned<FloatTag>;
 inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(FloatTag()));
 using Floats = hn::Vec<FloatTag>;
@@ -49,18 +50,24 @@ inline constexpr bool kNativeHalf = false;
 inline constexpr bool kNativeHalf = true;
 #endif
 
-// kLanes channels as floats; 8-bit codes as 0..255.
-template <class T>
-HWY_INLINE hn::Vec<FloatTag> LoadChannels(const T* from) {
-  const FloatTag d;
+// The channels of a vector of tag `d` as floats; 8-bit codes as 0..255.
+template <class D, class T>
+HWY_INLINE hn::Vec<D> LoadChannels(D d, const T* from) {
   if constexpr (std::is_same_v<T, float>) {
     return hn::LoadU(d, from);
   } else if constexpr (std::is_same_v<T, std::uint8_t>) {
-    const hn::Rebind<std::uint8_t, FloatTag> d8;
-    return hn::ConvertTo(d, hn::PromoteTo(IntTag(), hn::LoadU(d8, from)));
+    const hn::Rebind<std::uint8_t, D> d8;
+    const hn::RebindToSigned<D> di;
+    return hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(d8, from)));
   } else {
-    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<hwy::float16_t, FloatTag>(), from));
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<hwy::float16_t, D>(), from));
   }
+}
+
+// kLanes of them.
+template <class T>
+HWY_INLINE hn::Vec<FloatTag> LoadChannels(const T* from) {
+  return LoadChannels(FloatTag(), from);
 }
 
 // Asks for the lines of `count` bytes.

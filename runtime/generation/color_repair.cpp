@@ -36,6 +36,7 @@ void Repair(const ImageView& color, const MotionView& motion, const WarpOptions&
   const T* row = warped.Row<const T>(y);
   if (!AnyUnusable(row, warped.width * kChannels)) return;
   const bool prefiltered = HasPrefilter(PrefilterOf(options));
+  const Footprint footprint = FootprintOf(options);
   for (int x = 0; x < warped.width; ++x) {
     if (!AnyUnusable(row + x * kChannels, kChannels)) continue;
     const MotionSplit sx = SplitMotion(motion.Row(y)[2 * x]);
@@ -48,15 +49,15 @@ void Repair(const ImageView& color, const MotionView& motion, const WarpOptions&
       weights[kIdentityWeight] = 1.0f;
     }
     for (int c = 0; c < kChannels; ++c) {
-      Weights<float> texels;
-      for (int k = 0; k < kWeights; ++k) {
+      Weights<float> texels{};
+      for (const int k : TapsOf(footprint)) {
         const float value = LoadChannel(color.format,
                                         color.At(std::clamp(tx + TapX(k), 0, color.width - 1),
                                                  std::clamp(ty + TapY(k), 0, color.height - 1)),
                                         c);
         texels[k] = IsUnusable(value) ? 0.0f : value;
       }
-      StoreChannel(warped.format, ApplyWeights(weights, texels), warped.At(x, y), c);
+      StoreChannel(warped.format, ApplyWeights(footprint, weights, texels), warped.At(x, y), c);
     }
   }
 }

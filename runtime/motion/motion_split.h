@@ -6,6 +6,8 @@
 
 #include "runtime/float_bits.h"
 
+#include "luts/contract.h"
+
 namespace warplut {
 
 // Whole displacements are limited to this, so that integer arithmetic cannot overflow; images are smaller.
@@ -31,9 +33,13 @@ inline MotionSplit SplitMotion(float m) {
   return {static_cast<int>(std::clamp(whole, -kFarthestTexel, kFarthestTexel)), offset};
 }
 
-// The texel p + whole on an axis of `size` texels, limited to [-2, size]: beyond, all four taps
-// read the border texel, so nothing changes any more.
-constexpr int SampledTexel(int p, int whole, int size) { return std::clamp(p + whole, -2, size); }
+// The texel p + whole on an axis of `size` texels, limited to [-3, size + 1]: beyond, all taps of a
+// window read the border texel, so nothing changes any more.
+inline constexpr int kFirstSampledTexel = -(kFirstWindowTap + kWindowTaps - 1);
+constexpr int LastSampledTexel(int size) { return size - 1 - kFirstWindowTap; }
+constexpr int SampledTexel(int p, int whole, int size) {
+  return std::clamp(p + whole, kFirstSampledTexel, LastSampledTexel(size));
+}
 
 // Moves a position beyond the centres of the outermost of `size` texels to them.
 constexpr void MoveInside(int size, int& texel, float& offset) {

@@ -55,7 +55,7 @@ inline void Residual(const SrJob& job, int begin, int end, Plane* residual, Alia
       r.all_inside =
           inside_y && r.texel_x[0] > 0 && r.texel_x[r.padded - 1] < job.x.output() - kTaps / 2;
       ComputeWeights(taps, r);
-      SumRow(predicted, r.weights, r);
+      SumRow<Footprint::k16>(predicted, r.weights, r);
       for (int p = 0; p < r.padded; p += kLanes) {
         Floats red, green, blue, alpha;
         hn::LoadInterleaved4(d, r.sums + p * kRgba, red, green, blue, alpha);

@@ -8,6 +8,7 @@
 #include "luts/contract.h"
 #include "luts/prefilter.h"
 #include "runtime/image_view.h"
+#include "runtime/core/instruction_sets.h"
 #include "runtime/motion_tiles.h"
 #include "runtime/prefilter.h"
 
@@ -33,14 +34,16 @@ inline constexpr float kLargestHalf = 65504;
 
 // Where a tile lies while it is filtered, in floats.
 struct PrefilterScratch {
-  static constexpr int kBlock = 4;              // the channels of a pixel, or one of four rows
-  static constexpr int kColumn = 4 * kWeights;  // the most floats of a row that go through together
+  static constexpr int kBlock = 4;  // the channels of a pixel, or one of four rows
+  static constexpr int kColumn =
+      4 * kLargestLanes;  // the most floats of a row that go through together
   static constexpr int kLine = 64 / sizeof(float);
 
   // For a tile of an image of this width.
   PrefilterScratch(int width, int reach)
       : column((kPrefilterRows + 2 * reach) * kColumn),
-        stride(Lines((std::min(width, kPrefilterColumns) + 2 * reach + kWeights) * kBlock) * kLine),
+        stride(Lines((std::min(width, kPrefilterColumns) + 2 * reach + kLargestLanes) * kBlock) *
+               kLine),
         size(column + kPrefilterRows * stride) {}
 
   int column;  // of the part that holds columns; rows of blocks follow

@@ -190,6 +190,10 @@ Prefilter PrefilterOf(const WarpOptions& options) {
   return {};
 }
 
+Footprint FootprintOf(const WarpOptions& options) {
+  return FilterOf(options) == Filter::kLut ? options.table->footprint() : Footprint::k16;
+}
+
 WarpStats Warp(const ImageView& history, const MotionView& motion, const WarpOptions& options,
                const MutableImageView& out) {
   return WarpRows(history, motion, options, 0, out.height, out);

@@ -58,12 +58,13 @@ void WarpReferencePixels(const WarpJob& job, const TileRect& pixels) {
                     BytesPerPixel(out.format));
         continue;
       }
+      const Footprint footprint = FootprintOf(job.options);
       std::array<Rgba, kWeights> texels;
-      for (int k = 0; k < kWeights; ++k) {
+      for (const int k : TapsOf(footprint)) {
         texels[k] = LoadPixel(history, std::clamp(tx + TapX(k), 0, last_x),
                               std::clamp(ty + TapY(k), 0, last_y));
       }
-      const Rgba value = ApplyWeights(FilterWeights(job.options, dx, dy), texels);
+      const Rgba value = ApplyWeights(footprint, FilterWeights(job.options, dx, dy), texels);
       for (int c = 0; c < Channels(out.format); ++c) {
         StoreChannel(out.format, value.c[c], out.At(x, y), c);
       }

@@ -31,8 +31,8 @@ struct alignas(64) PixelRow {
   alignas(64) std::int32_t texel_y[kRowPixels];
   alignas(64) float offset_x[kRowPixels];
   alignas(64) float offset_y[kRowPixels];
-  alignas(64) std::int32_t row[kRowPixels];  // of weights
-  alignas(64) float weights[kRowPixels * kWeights];
+  alignas(64) std::int32_t row[kRowPixels];                // of weights
+  alignas(64) float weights[kRowPixels * kMostRowFloats];  // RowFloats of the footprint apart
   alignas(64) float sums[kRowPixels * 4];
 };
 
@@ -51,7 +51,8 @@ HWY_INLINE void SplitAxis(hn::Vec<FloatTag> m, hn::Vec<IntTag> p, int size, hn::
   whole = hn::Add(whole, hn::IfThenElseZero(carry, one));
   whole = hn::Min(hn::Max(whole, hn::Set(d, -kFarthestTexel)), hn::Set(d, kFarthestTexel));
   const auto sampled = hn::Add(p, hn::ConvertTo(di, whole));
-  texel = hn::Min(hn::Max(sampled, hn::Set(di, -2)), hn::Set(di, size));
+  texel = hn::Min(hn::Max(sampled, hn::Set(di, kFirstSampledTexel)),
+                  hn::Set(di, LastSampledTexel(size)));
 }
 
 // MoveInside for kLanes pixels.
@@ -64,6 +65,17 @@ HWY_INLINE void MoveInside(int size, hn::Vec<IntTag>& texel, hn::Vec<FloatTag>& 
   texel = hn::Min(hn::Max(texel, hn::Zero(di)), last);
 }
 
+// Whether the taps of the footprint lie inside an axis of `size` texels.
+template <Footprint kFootprint>
+HWY_INLINE hn::Mask<IntTag> AreInside(hn::Vec<IntTag> texel, int size) {
+  const IntTag di;
+  constexpr int kFirst = FirstAxisTap(kFootprint);
+  constexpr int kEnd = kFirst + AxisTaps(kFootprint);
+  return hn::And(hn::Gt(texel, hn::Set(di, -kFirst - 1)),
+                 hn::Lt(texel, hn::Set(di, size - kEnd + 1)));
+}
+
+template <Footprint kFootprint>
 HWY_INLINE void SplitRow(const WarpJob& job, int x0, int y, PixelRow& r) {
   const FloatTag d;
   const IntTag di;
@@ -92,9 +104,8 @@ HWY_INLINE void SplitRow(const WarpJob& job, int x0, int y, PixelRow& r) {
     hn::Store(ty, di, r.texel_y + i);
     hn::Store(offset_x, d, r.offset_x + i);
     hn::Store(offset_y, d, r.offset_y + i);
-    const auto zero = hn::Zero(di);
-    const auto inside_x = hn::And(hn::Gt(tx, zero), hn::Lt(tx, hn::Set(di, width - kTaps / 2)));
-    const auto inside_y = hn::And(hn::Gt(ty, zero), hn::Lt(ty, hn::Set(di, height - kTaps / 2)));
+    const auto inside_x = AreInside<kFootprint>(tx, width);
+    const auto inside_y = AreInside<kFootprint>(ty, height);
     inside = hn::And(inside, hn::And(inside_x, inside_y));
     moved = hn::And(moved, hn::RebindMask(di, hn::Gt(hn::Max(offset_x, offset_y), hn::Zero(d))));
   }
@@ -116,7 +127,9 @@ HWY_INLINE void FindNodes(PixelRow& r) {
 }
 
 // Bilinear lookup: the mean of four rows of the table.
+template <Footprint kFootprint>
 HWY_INLINE void BlendNodes(const Table& table, PixelRow& r) {
+  constexpr int kStride = RowFloats(kFootprint);
   const FloatTag d;
   const IntTag di;
   alignas(64) std::int32_t corner[kRowPixels];
@@ -140,19 +153,19 @@ HWY_INLINE void BlendNodes(const Table& table, PixelRow& r) {
     hn::Store(Numbers(i), di, r.row + i);
   }
   for (int p = 0; p < r.padded; ++p) {
-    const float* upper = table.data() + corner[p] * kWeights;
-    const float* lower = upper + kTableNodes * kWeights;
-    for (int k = 0; k < kWeights; k += kLanes) {
+    const float* upper = table.data() + corner[p] * kStride;
+    const float* lower = upper + kTableNodes * kStride;
+    for (int k = 0; k < TapCount(kFootprint); k += kLanes) {
       auto w = hn::Mul(hn::Set(d, share[0][p]), hn::Load(d, upper + k));
-      w = hn::MulAdd(hn::Set(d, share[1][p]), hn::Load(d, upper + kWeights + k), w);
+      w = hn::MulAdd(hn::Set(d, share[1][p]), hn::Load(d, upper + kStride + k), w);
       auto v = hn::Mul(hn::Set(d, share[2][p]), hn::Load(d, lower + k));
-      v = hn::MulAdd(hn::Set(d, share[3][p]), hn::Load(d, lower + kWeights + k), v);
-      hn::Store(hn::Add(w, v), d, r.weights + p * kWeights + k);
+      v = hn::MulAdd(hn::Set(d, share[3][p]), hn::Load(d, lower + kStride + k), v);
+      hn::Store(hn::Add(w, v), d, r.weights + p * kStride + k);
     }
   }
 }
 
-// Closed-form filters: the product of the weights of both axes.
+// Closed-form filters: the product of the weights of both axes, of 16 taps.
 HWY_INLINE void TapsAt(const TapPolynomials& taps, const float* offsets, float* to) {
   const FloatTag d;
   const auto x = hn::Load(d, offsets);
@@ -183,7 +196,7 @@ HWY_INLINE void ComputeWeights(const TapPolynomials& taps, PixelRow& r) {
     const auto x = hn::Load(d4, x_taps + p * kTaps);
     for (int ky = 0; ky < kTaps; ++ky) {
       hn::Store(hn::Mul(x, hn::Set(d4, y_taps[p * kTaps + ky])), d4,
-                r.weights + p * kWeights + ky * kTaps);
+                r.weights + p * RowFloats(Footprint::k16) + ky * kTaps);
     }
   }
 }

@@ -17,6 +17,11 @@ int main(int argc, char** argv) try {
     const Fit fit = MakeFit(0.2, 1, std::string("test_") + Name(format));
     WriteBaked(argv[1], Bake(fit, {format, kDefaultBlend}));
   }
+  Fit wide = MakeFit(0, 1, "test_24");
+  wide.footprint = Footprint::k24;
+  wide.kaiser_b = 4.5;
+  wide.parameters.assign(MlpParameters(wide.footprint), 0.0);
+  WriteBaked(argv[1], Bake(wide));
   return 0;
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";

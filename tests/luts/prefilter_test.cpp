@@ -144,16 +144,15 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PrefilteredHeadTest, testing::Values(0.0, 0.05, 
 TEST_P(PrefilteredHeadTest, KeepsTheContractByConstruction) {
   const auto taps = SplineTaps(SplineK(kSide), 0.0);
   const Weights<double> whole = At(0, 0);
-  for (int k = 0; k < kWeights; ++k) {
-    EXPECT_NEAR(whole[k], taps[k % kTaps] * taps[k / kTaps], 1e-12);
-  }
+  const Weights<double> product = Separable(taps, taps);
+  for (int k = 0; k < kWeights; ++k) EXPECT_NEAR(whole[k], product[k], 1e-12);
   for (const double d : {0.0, 0.2, 0.5, 0.9}) {
     const Weights<double> left = At(0, d), right = At(1, d);
-    for (int ky = 0; ky < kTaps; ++ky) {
-      EXPECT_NEAR(left[WeightIndex(3, ky)], 0, 1e-15);
-      EXPECT_NEAR(left[WeightIndex(0, ky)], left[WeightIndex(2, ky)], 1e-12);
-      for (int kx = 0; kx < 3; ++kx) {
-        EXPECT_NEAR(left[WeightIndex(kx, ky)], right[WeightIndex(kx + 1, ky)], 1e-12);
+    for (int y = -1; y <= 2; ++y) {
+      EXPECT_NEAR(left[TapWeight(2, y)], 0, 1e-15);
+      EXPECT_NEAR(left[TapWeight(-1, y)], left[TapWeight(1, y)], 1e-12);
+      for (int x = -1; x < 2; ++x) {
+        EXPECT_NEAR(left[TapWeight(x, y)], right[TapWeight(x + 1, y)], 1e-12);
       }
     }
     const Weights<double> w = At(d, 0.3);
@@ -175,8 +174,8 @@ TEST_P(PrefilteredHeadTest, KeepsTheContractByConstruction) {
 TEST_P(PrefilteredHeadTest, GradientIsTheTranspose) {
   const HeadAt<double> head(0.3, 0.0625, kSide);
   const Fit a = MakeFit(1, 3), b = MakeFit(1, 4);
-  Weights<double> x, y;
-  for (int k = 0; k < kWeights; ++k) {
+  Weights<double> x{}, y{};
+  for (const int k : TapsOf(Footprint::k16)) {
     x[k] = a.parameters[k];
     y[k] = b.parameters[k];
   }
@@ -234,8 +233,8 @@ TEST(PrefilteredTable, RefusesUnequalWeightsAboutAWholeOffset) {
   const BakedTable table =
       Quantize(SampleFit(WithPrefilter(MakeFit(0.2)), kNodes), TableFormat::kI16);
   std::vector<IntegerRow> rows = TableIntegers(table.view(), "t");
-  rows[RowIndex(0, 5)][4] += 1;
-  rows[RowIndex(0, 5)][5] -= 1;
+  rows[RowIndex(0, 5)][TapWeight(-1, 0)] += 1;
+  rows[RowIndex(0, 5)][TapWeight(0, 0)] -= 1;
   const BakedTable changed(TableFormat::kI16, rows, table.view().prefilter);
   EXPECT_THAT(SentenceOf([&] { CheckTable(changed.view(), "t"); }), HasSubstr("both sides"));
 }

@@ -8,10 +8,10 @@ namespace warplut {
 namespace {
 
 TEST(LutPicture, ShowsTheSignOfEachTapInItsTile) {
-  std::vector<float> rows(kTableValues, 0.0f);
-  rows[RowIndex(3, 5) * kWeights + WeightIndex(1, 2)] = 1.0f;
-  rows[RowIndex(3, 5) * kWeights + WeightIndex(3, 0)] = -0.25f;
-  const Image picture = LutPicture(rows);
+  std::vector<Weights<float>> rows(kRows);
+  rows[RowIndex(3, 5)][TapWeight(0, 1)] = 1.0f;
+  rows[RowIndex(3, 5)][TapWeight(2, -1)] = -0.25f;
+  const Image picture = LutPicture(Footprint::k16, rows);
   const auto at = [&](int kx, int ky, int c) {
     const int tile = kNodes * kPictureZoom + kPictureGap;
     return picture.at(kPictureGap + kx * tile + 3 * kPictureZoom,

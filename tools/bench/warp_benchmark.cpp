@@ -13,6 +13,7 @@
 
 #include "datasets/error.h"
 #include "luts/filters.h"
+#include "luts/wide_kernel.h"
 #include "runtime/core/pixel.h"
 #include "runtime/executor.h"
 #include "runtime/image_buffer.h"
@@ -96,19 +97,25 @@ void FillMotion(const std::string& kind, Motion& motion) {
   }
 }
 
-// A table of Catmull-Rom weights in i16 with exact row sums: the time does not depend on the weights.
-std::vector<std::int16_t> MakeTable() {
-  std::vector<std::int16_t> table(kTableValues);
+// A table in i16 with exact row sums, of Catmull-Rom weights or a wide kernel's: the time does not depend on the weights.
+std::vector<std::int16_t> MakeTable(Footprint footprint) {
+  constexpr double kKaiser = 4.5;
+  const FootprintTaps& taps = TapsOf(footprint);
+  std::vector<std::int16_t> table;
+  table.reserve(static_cast<std::size_t>(TableValues(footprint)));
   const double one = 1 << FractionBits(TableFormat::kI16);
   for (int row = 0; row < kRows; ++row) {
-    const auto w = KeysWeights(kCatmullRomA, NodeOffset(row % kNodes), NodeOffset(row / kNodes));
+    const double dx = NodeOffset(row % kNodes), dy = NodeOffset(row / kNodes);
+    const Weights<double> w = footprint == Footprint::k16 ? KeysWeights(kCatmullRomA, dx, dy)
+                                                          : WideWeights(footprint, kKaiser, dx, dy);
     int rest = static_cast<int>(one);
-    for (int k = 0; k < kWeights; ++k) {
-      table[row * kWeights + k] = static_cast<std::int16_t>(std::lround(w[k] * one));
-      rest -= table[row * kWeights + k];
+    std::size_t identity = 0;
+    for (const int k : taps) {
+      if (k == kIdentityWeight) identity = table.size();
+      table.push_back(static_cast<std::int16_t>(std::lround(w[k] * one)));
+      rest -= table.back();
     }
-    table[row * kWeights + kIdentityWeight] =
-        static_cast<std::int16_t>(table[row * kWeights + kIdentityWeight] + rest);
+    table[identity] = static_cast<std::int16_t>(table[identity] + rest);
   }
   return table;
 }
@@ -175,8 +182,9 @@ int MatType(PixelFormat format) {
 
 struct Variant {
   std::string name;
-  WarpOptions options;
-  double smooth_target;
+  WarpOptions options = {};
+  double smooth_target = 0;
+  double uniform_target = 0;
 };
 
 bool HasWarpTarget(PixelFormat format) {
@@ -187,20 +195,28 @@ bool HasPrefilterTarget(PixelFormat format) {
   return format == PixelFormat::kRgba16F || format == PixelFormat::kRgba32F;
 }
 
-std::vector<Variant> MakeVariants(const Table& table) {
-  Variant nearest{"lut nearest", {}, kNearestTarget};
-  nearest.options.filter = Filter::kLut;
-  nearest.options.table = &table;
-  nearest.options.lookup = Lookup::kNearest;
-  Variant bilinear = nearest;
-  bilinear.name = "lut bilinear";
-  bilinear.options.lookup = Lookup::kBilinear;
-  bilinear.smooth_target = kBilinearTarget;
-  const WarpOptions spline = {.filter = Filter::kSpline};
-  return {nearest,
-          bilinear,
-          {Info(Filter::kCatmullRom).name, {}, 0},
-          {Info(Filter::kSpline).name, spline, 0}};
+// The first two are the lookups in a table of 16 taps.
+std::vector<Variant> MakeVariants(const std::vector<Table>& tables) {
+  std::vector<Variant> variants;
+  for (const Table& table : tables) {
+    const bool wide = table.footprint() != Footprint::k16;
+    const std::string name =
+        wide ? "lut " + std::to_string(TapCount(table.footprint())) : std::string("lut");
+    for (const Lookup lookup : {Lookup::kNearest, Lookup::kBilinear}) {
+      Variant& variant = variants.emplace_back();
+      variant.name = name + " " + Name(lookup);
+      variant.options = {.filter = Filter::kLut, .table = &table, .lookup = lookup};
+      // The targets are those of 16 taps.
+      const double target = lookup == Lookup::kNearest ? kNearestTarget : kBilinearTarget;
+      variant.smooth_target = wide ? 0 : target;
+      variant.uniform_target = wide ? 0 : kUniformTarget;
+    }
+  }
+  variants.push_back({.name = Info(Filter::kCatmullRom).name, .uniform_target = kUniformTarget});
+  variants.push_back({.name = Info(Filter::kSpline).name,
+                      .options = {.filter = Filter::kSpline},
+                      .uniform_target = kUniformTarget});
+  return variants;
 }
 
 // The images of one format and what is measured on them.
@@ -229,7 +245,7 @@ class FormatBenchmark {
       cv::remap(source_, destination_, map1, map2, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
     };
     const Prefilter prefilter = PrefilterOf(variant.options);
-    double target = kind == "uniform" ? kUniformTarget : variant.smooth_target;
+    double target = kind == "uniform" ? variant.uniform_target : variant.smooth_target;
     if (!HasWarpTarget(history_.view.format) || HasPrefilter(prefilter)) target = 0;
     const std::vector<Competitor> competitors = {
         {"remap, float maps", [&] { remap(map, cv::Mat()); }, target},
@@ -414,9 +430,13 @@ WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
   if (!options.IsValid(&why)) throw Error("warp benchmark: " + why);
   const int threads = cv::getNumThreads();
   cv::setNumThreads(1);
-  const std::vector<std::int16_t> weights = MakeTable();
-  const Table table({TableFormat::kI16, weights.data()});
-  const std::vector<Variant> variants = MakeVariants(table);
+  std::vector<Table> tables;
+  for (const Footprint footprint : kFootprints) {
+    const std::vector<std::int16_t> weights = MakeTable(footprint);
+    tables.emplace_back(
+        TableView{.format = TableFormat::kI16, .data = weights.data(), .footprint = footprint});
+  }
+  const std::vector<Variant> variants = MakeVariants(tables);
   const Variant& bilinear = variants[1];
   WarpBenchmark benchmark;
   benchmark.target = WarpTarget();

@@ -154,8 +154,8 @@ ProtocolFilter NamedFilter(const std::string& name) {
   if (const auto options = NamedWarp(name)) return RuntimeFilter(name, *options);
   if (name == kLanczos) return SixTapFilter(name, LanczosTaps);
   const auto b = NumberAfter(kKaiserPrefix, name);
-  if (b && *b >= 0 && *b <= kLargestKaiser) {
-    return SixTapFilter(name, [b = *b](float d) { return KaiserTaps(b, d); });
+  if (b && *b >= 0 && *b <= static_cast<float>(kLargestKaiser)) {
+    return SixTapFilter(name, [b = *b](float d) { return KaiserSixTaps(b, d); });
   }
   throw Error(fmt::format("'{}' is not a filter; expected {}, {}, {}B with B in [0, {}], {} or {}.",
                           name, kBestKeys, kBestSpline, kKaiserPrefix, kLargestKaiser, kLanczos,

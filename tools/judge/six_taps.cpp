@@ -8,7 +8,6 @@ namespace warplut {
 namespace {
 
 constexpr std::size_t kTapOfTexel = -kFirstOfSix;
-constexpr float kHalfWidth = kSixTaps / 2;
 
 SixTaps Normalised(SixTaps taps) {
   float total = 0;
@@ -21,11 +20,6 @@ SixTaps TexelItself() {
   SixTaps taps{};
   taps[kTapOfTexel] = 1;
   return taps;
-}
-
-float Sinc(float t) {
-  const float angle = std::numbers::pi_v<float> * t;
-  return t == 0 ? 1 : std::sin(angle) / angle;
 }
 
 }  // namespace
@@ -50,16 +44,11 @@ SixTaps LanczosTaps(float d) {
   return Normalised(taps);
 }
 
-SixTaps KaiserTaps(float b, float d) {
-  if (d == 0) return TexelItself();
-  SixTaps taps;
-  for (int i = 0; i < kSixTaps; ++i) {
-    const float t = d - static_cast<float>(kFirstOfSix + i);
-    const float inside = std::max(0.0f, 1 - (t / kHalfWidth) * (t / kHalfWidth));
-    const double window = std::cyl_bessel_i(0.0, static_cast<double>(b * std::sqrt(inside)));
-    taps[i] = Sinc(t) * static_cast<float>(window);
-  }
-  return Normalised(taps);
+SixTaps KaiserSixTaps(float b, float d) {
+  const WindowTaps<double> exact = KaiserTaps(static_cast<double>(b), static_cast<double>(d));
+  SixTaps taps{};
+  std::copy(exact.begin(), exact.end(), taps.begin());
+  return taps;
 }
 
 }  // namespace warplut

@@ -26,6 +26,7 @@ Resampler TableResampler(const BakedTable& table) {
   const std::vector<IntegerRow> rows = TableIntegers(table.view(), "table");
   Resampler resampler;
   resampler.prefilter = ToReal(table.view().prefilter);
+  resampler.footprint = table.view().footprint;
   for (int c = 0; c < kCanonicalNodes; ++c) {
     const auto [ix, jy] = CanonicalPosition(c);
     resampler.weights[c] = RealRow(rows[RowIndex(ix, jy)], table.format());

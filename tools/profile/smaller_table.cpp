@@ -11,7 +11,11 @@ namespace {
 
 // Every k-th node.
 RealTable Subsample(const RealTable& table, int nodes) {
-  RealTable coarse{table.name, nodes, {}, table.prefilter};
+  RealTable coarse{.name = table.name,
+                   .intervals = nodes,
+                   .rows = {},
+                   .prefilter = table.prefilter,
+                   .footprint = table.footprint};
   const int step = table.intervals / nodes;
   for (int j = 0; j <= nodes; ++j) {
     for (int i = 0; i <= nodes; ++i) coarse.rows.push_back(table.Row(i * step, j * step));
@@ -45,24 +49,28 @@ Weights<double> LookUp(const RealTable& table, double dx, double dy, Lookup look
 
 }  // namespace
 
-std::size_t TableBytes(int nodes, TableFormat format) {
-  return static_cast<std::size_t>(nodes) * static_cast<std::size_t>(nodes) * kWeights *
-         BytesPerWeight(format);
+std::size_t TableBytes(int nodes, TableFormat format, Footprint footprint) {
+  return static_cast<std::size_t>(nodes) * static_cast<std::size_t>(nodes) *
+         static_cast<std::size_t>(TapCount(footprint)) * BytesPerWeight(format);
 }
 
-std::size_t EighthBytes(int nodes, TableFormat format) {
+std::size_t EighthBytes(int nodes, TableFormat format, Footprint footprint) {
   const auto side = static_cast<std::size_t>(nodes / 2 + 1);
-  return side * (side + 1) / 2 * kWeights * BytesPerWeight(format);
+  return side * (side + 1) / 2 * static_cast<std::size_t>(TapCount(footprint)) *
+         BytesPerWeight(format);
 }
 
 RealTable ToRealTable(const TableView& view) {
   const Table table(view);
-  const float* row = table.data();
-  RealTable real{"table", kNodes, {}, view.prefilter};
-  for (int i = 0; i < kTableNodes * kTableNodes; ++i, row += kWeights) {
-    Weights<double>& weights = real.rows.emplace_back();
-    std::copy(row, row + kWeights, weights.begin());
-  }
+  RealTable real = SampleWeights("table", kNodes, [&](double dx, double dy) {
+    const Weights<float> node =
+        table.At(static_cast<float>(dx), static_cast<float>(dy), Lookup::kNearest);
+    Weights<double> weights;
+    std::copy(node.begin(), node.end(), weights.begin());
+    return weights;
+  });
+  real.prefilter = view.prefilter;
+  real.footprint = view.footprint;
   return real;
 }
 
@@ -86,7 +94,7 @@ BakedTable RunnableTable(const RealTable& table, int nodes, TableFormat format, 
       row[kIdentityWeight] += rest;
     }
   }
-  return BakedTable(TableFormat::kF32, rows, table.prefilter);
+  return BakedTable(TableFormat::kF32, rows, table.prefilter, table.footprint);
 }
 
 std::vector<SmallerTable> TrySmallerTables(PipelineMeter& meter, const ProfiledPipeline& pipeline,
@@ -102,8 +110,8 @@ std::vector<SmallerTable> TrySmallerTables(PipelineMeter& meter, const ProfiledP
         smaller.nodes = nodes;
         smaller.format = format;
         smaller.lookup = lookup;
-        smaller.bytes = TableBytes(nodes, format);
-        if (symmetric) smaller.eighth_bytes = EighthBytes(nodes, format);
+        smaller.bytes = TableBytes(nodes, format, table.footprint);
+        if (symmetric) smaller.eighth_bytes = EighthBytes(nodes, format, table.footprint);
       }
     }
   }

@@ -37,8 +37,8 @@ struct SmallerTable {
 };
 
 // Bytes of a table with n nodes per axis, and of its nodes (i, j) with 0 <= j <= i <= n / 2 (n even), of which symmetry gives the others.
-std::size_t TableBytes(int nodes, TableFormat format);
-std::size_t EighthBytes(int nodes, TableFormat format);
+std::size_t TableBytes(int nodes, TableFormat format, Footprint footprint = Footprint::k16);
+std::size_t EighthBytes(int nodes, TableFormat format, Footprint footprint = Footprint::k16);
 
 // The stored table with all nodes, its last included.
 RealTable ToRealTable(const TableView& view);

@@ -39,10 +39,11 @@ struct BilinearSampler {
   }
 };
 
-// Four by four weights.
-inline PlainTexel Sum16(const PlainHistory& history, int x, int y, const float* weights) {
+// The weights of a footprint's taps.
+inline PlainTexel SumTaps(Footprint footprint, const PlainHistory& history, int x, int y,
+                          const Weights<float>& weights) {
   PlainTexel sum;
-  for (int k = 0; k < kWeights; ++k) {
+  for (const int k : TapsOf(footprint)) {
     sum.Add(weights[k], history.At(x + TapX(k), y + TapY(k)));
   }
   return sum;
@@ -50,7 +51,8 @@ inline PlainTexel Sum16(const PlainHistory& history, int x, int y, const float* 
 
 struct CatmullRomSampler {
   PlainTexel operator()(const PlainHistory& history, int x, int y, float dx, float dy) const {
-    return Sum16(history, x, y, KeysWeights(static_cast<float>(kCatmullRomA), dx, dy).data());
+    return SumTaps(Footprint::k16, history, x, y,
+                   KeysWeights(static_cast<float>(kCatmullRomA), dx, dy));
   }
 };
 
@@ -99,10 +101,11 @@ struct LanczosSampler {
 class PlainTable {
  public:
   // Both ends of the offsets have a node, as in RealTable.
-  PlainTable(int intervals, std::vector<Weights<float>> rows)
-      : intervals_(intervals), rows_(std::move(rows)) {}
+  PlainTable(int intervals, Footprint footprint, std::vector<Weights<float>> rows)
+      : intervals_(intervals), footprint_(footprint), rows_(std::move(rows)) {}
 
   int intervals() const { return intervals_; }
+  Footprint footprint() const { return footprint_; }
   const Weights<float>& Row(int ix, int jy) const {
     return rows_[static_cast<std::size_t>(jy) * static_cast<std::size_t>(intervals_ + 1) +
                  static_cast<std::size_t>(ix)];
@@ -110,6 +113,7 @@ class PlainTable {
 
  private:
   int intervals_;
+  Footprint footprint_;
   std::vector<Weights<float>> rows_;
 };
 
@@ -121,19 +125,19 @@ struct TableSampler {
     const auto n = static_cast<float>(table->intervals());
     const float px = dx * n, py = dy * n;
     if constexpr (kLookup == Lookup::kNearest) {
-      return Sum16(history, x, y,
-                   table->Row(static_cast<int>(px + 0.5f), static_cast<int>(py + 0.5f)).data());
+      return SumTaps(table->footprint(), history, x, y,
+                     table->Row(static_cast<int>(px + 0.5f), static_cast<int>(py + 0.5f)));
     } else {
       const int ix = static_cast<int>(px), jy = static_cast<int>(py);
       const float fx = px - static_cast<float>(ix), fy = py - static_cast<float>(jy);
       const auto &a = table->Row(ix, jy), &b = table->Row(ix + 1, jy), &c = table->Row(ix, jy + 1),
                  &d = table->Row(ix + 1, jy + 1);
-      Weights<float> weights;
-      for (int k = 0; k < kWeights; ++k) {
+      Weights<float> weights{};
+      for (const int k : TapsOf(table->footprint())) {
         const float above = a[k] + fx * (b[k] - a[k]), below = c[k] + fx * (d[k] - c[k]);
         weights[k] = above + fy * (below - above);
       }
-      return Sum16(history, x, y, weights.data());
+      return SumTaps(table->footprint(), history, x, y, weights);
     }
   }
 };
@@ -142,20 +146,27 @@ struct TableSampler {
 // where the offset is the same.
 class MlpSampler {
  public:
-  explicit MlpSampler(const std::vector<float>* parameters) : parameters_(parameters) {}
+  explicit MlpSampler(const std::vector<float>* parameters, Footprint footprint, double kaiser_b)
+      : parameters_(parameters), footprint_(footprint), kaiser_b_(kaiser_b) {}
 
   PlainTexel operator()(const PlainHistory& history, int x, int y, float dx, float dy) {
     if (!known_ || dx != dx_ || dy != dy_) {
-      weights_ = HeadWeights(parameters_->data(), dx, dy);
+      const float* parameters = parameters_->data();
+      weights_ = footprint_ == Footprint::k16
+                     ? HeadWeights(parameters, dx, dy)
+                     : HeadWeights(footprint_, kaiser_b_, parameters, static_cast<double>(dx),
+                                   static_cast<double>(dy));
       dx_ = dx;
       dy_ = dy;
       known_ = true;
     }
-    return Sum16(history, x, y, weights_.data());
+    return SumTaps(footprint_, history, x, y, weights_);
   }
 
  private:
   const std::vector<float>* parameters_;
+  Footprint footprint_;
+  double kaiser_b_;
   bool known_ = false;
   float dx_ = 0, dy_ = 0;
   Weights<float> weights_{};

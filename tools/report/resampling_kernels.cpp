@@ -62,7 +62,7 @@ ResamplingKernel PlainKernel(std::string name, std::string reads, Sampler sample
 }
 
 // The weights as a table of `format` would hold them.
-std::vector<Weights<float>> Stored(const RealTable& table, TableFormat format) {
+PlainTable Stored(const RealTable& table, TableFormat format) {
   std::vector<Weights<float>> rows;
   for (const IntegerRow& row : RoundTable(table, format)) {
     const Weights<double> real = RealRow(row, format);
@@ -70,7 +70,7 @@ std::vector<Weights<float>> Stored(const RealTable& table, TableFormat format) {
     std::copy(real.begin(), real.end(), weights.begin());
     rows.push_back(weights);
   }
-  return rows;
+  return {table.intervals, table.footprint, std::move(rows)};
 }
 
 // A sampler together with what it reads.
@@ -112,6 +112,8 @@ ResamplingKernel RemapKernel(std::string name, std::string reads, int interpolat
       .equal_to = std::nullopt};
 }
 
+std::string TexelsOf(Footprint footprint) { return fmt::format("{} texels", TapCount(footprint)); }
+
 void AddRuntimeKernels(const ReportLut& lut, float keys_a, std::vector<ResamplingKernel>& kernels) {
   kernels.push_back(RuntimeKernel("bilinear", "4 texels", {.filter = Filter::kBilinear}));
   kernels.push_back(RuntimeKernel("catmull-rom", "16 texels", {.filter = Filter::kCatmullRom}));
@@ -127,9 +129,10 @@ void AddRuntimeKernels(const ReportLut& lut, float keys_a, std::vector<Resamplin
       continue;
     }
     for (const Lookup lookup : kLookups) {
-      kernels.push_back(RuntimeKernel(
-          fmt::format("LUT {} {} {}", kNodes, Name(format), Name(lookup)), "16 texels",
-          {.filter = Filter::kLut, .table = table.get(), .lookup = lookup}, table));
+      kernels.push_back(
+          RuntimeKernel(fmt::format("LUT {} {} {}", kNodes, Name(format), Name(lookup)),
+                        TexelsOf(table->footprint()),
+                        {.filter = Filter::kLut, .table = table.get(), .lookup = lookup}, table));
     }
   }
 }
@@ -149,21 +152,22 @@ void AddPlainKernels(std::vector<ResamplingKernel>& kernels) {
 
 void AddFittedKernels(const Fit& fit, std::vector<ResamplingKernel>& kernels) {
   constexpr TableFormat kFormat = TableFormat::kI16;
+  const std::string texels = TexelsOf(fit.footprint);
   for (const int nodes : kComparedNodes) {
-    const auto table =
-        std::make_shared<const PlainTable>(nodes, Stored(SampleFit(fit, nodes), kFormat));
+    const auto table = std::make_shared<const PlainTable>(Stored(SampleFit(fit, nodes), kFormat));
     const auto name = [&](Lookup lookup) {
       return fmt::format("LUT {} {} {}, plain", nodes, Name(kFormat), Name(lookup));
     };
-    kernels.push_back(PlainKernel(name(Lookup::kNearest), "16 texels",
+    kernels.push_back(PlainKernel(name(Lookup::kNearest), texels,
                                   Owning(table, TableSampler<Lookup::kNearest>{table.get()})));
-    kernels.push_back(PlainKernel(name(Lookup::kBilinear), "16 texels",
+    kernels.push_back(PlainKernel(name(Lookup::kBilinear), texels,
                                   Owning(table, TableSampler<Lookup::kBilinear>{table.get()})));
   }
   const auto parameters =
       std::make_shared<const std::vector<float>>(fit.parameters.begin(), fit.parameters.end());
   kernels.push_back(
-      PlainKernel("exact MLP", "16 texels", Owning(parameters, MlpSampler(parameters.get()))));
+      PlainKernel("exact MLP", texels,
+                  Owning(parameters, MlpSampler(parameters.get(), fit.footprint, fit.kaiser_b))));
   kernels.back().slow = true;
 }
 

@@ -18,9 +18,9 @@ CanonicalWeights<double> WithHalfPixelKernel(const HalfPixelKernel& kernel) {
   CanonicalWeights<double> weights = KeysCanonicalWeights(kCatmullRomA);
   Weights<double>& half =
       weights[static_cast<std::size_t>(ToCanonical(kHalfNode, kHalfNode).index)];
-  for (int k = 0; k < kWeights; ++k) {
-    const bool outer_x = k % kTaps == 0 || k % kTaps == kTaps - 1;
-    const bool outer_y = k / kTaps == 0 || k / kTaps == kTaps - 1;
+  for (const int k : TapsOf(Footprint::k16)) {
+    const bool outer_x = TapX(k) == -1 || TapX(k) == 2;
+    const bool outer_y = TapY(k) == -1 || TapY(k) == 2;
     half[static_cast<std::size_t>(k)] = outer_x && outer_y   ? kernel.corner
                                         : outer_x || outer_y ? kernel.edge
                                                              : kernel.inner();

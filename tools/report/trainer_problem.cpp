@@ -153,7 +153,7 @@ CanonicalWeights<double> KeysByHead(double a) {
   for (int c = 0; c < kCanonicalNodes; ++c) {
     const auto [i, j] = CanonicalPosition(c);
     const double dx = NodeOffset(i), dy = NodeOffset(j);
-    const Weights<double> mask = Separable(HeadMask(dx), HeadMask(dy));
+    const Weights<double> mask = HeadMask(Footprint::k16, dx, dy);
     Weights<double> raw{};
     for (int k = 0; k < kWeights; ++k) {
       if (mask[k] > 0) raw[k] = (keys[c][k] - base[c][k]) / mask[k];

@@ -34,14 +34,18 @@ Complex Limited(const Complex& value) {
 
 ComplexPlane Warped(const ComplexPlane& in, const RolloutStep& step,
                     const ComplexWeights& weights) {
-  const Weights<Complex>& canonical = weights[step.node.index];
+  Weights<Complex> looked_up{};
+  for (const auto& [node, share] : SharesOf(step)) {
+    for (const int k : TapsOf(Footprint::k16)) {
+      looked_up[k] += share * weights[node.index][MapWeight(node.symmetry, k)];
+    }
+  }
   ComplexPlane out(in.width, in.height);
   for (int y = 0; y < in.height; ++y) {
     for (int x = 0; x < in.width; ++x) {
       Complex sum = 0;
-      for (int k = 0; k < kWeights; ++k) {
-        sum += canonical[MapWeight(step.node.symmetry, k)] *
-               in.Clamped(x + step.cell_x + TapX(k), y + step.cell_y + TapY(k));
+      for (const int k : TapsOf(Footprint::k16)) {
+        sum += looked_up[k] * in.Clamped(x + step.cell_x + TapX(k), y + step.cell_y + TapY(k));
       }
       out.At(x, y) = Limited(sum);
     }

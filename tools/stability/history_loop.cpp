@@ -18,7 +18,7 @@ namespace {
 constexpr int kApron = 4;
 
 // What looked-up weights may differ by from those of the table, summed over the taps (luts/table.h).
-constexpr double kWeightRounding = kWeights * 0x1p-22;
+constexpr double kWeightRounding = kTaps * kTaps * 0x1p-22;
 
 // The largest value that the loop is judged up to: beyond, the roundings below do not hold.
 constexpr double kLargestJudged = 4;

@@ -79,7 +79,7 @@ StabilityResult HeadAtExtremeOffsets(StabilityEffort) {
     const double raw = LargestRaw(parameters);
     Weights<double> here{}, next{};
     here[kIdentityWeight] = 1;
-    next[kIdentityWeight + kTaps + 1] = 1;
+    next[TapWeight(1, 1)] = 1;
     const auto at = [&](double d) { return HeadWeights(parameters.data(), d, d); };
     const double zero = LargestDifference(at(0), here);
     const double one = LargestDifference(at(1 - kEpsilon), next);
@@ -107,7 +107,8 @@ StabilityResult HeadOfVanishingSum(StabilityEffort) {
   constexpr double kSlope = 9.0 / 4;
   const auto weights = [](double b) {
     std::vector<double> parameters(kMlpParameters, 0.0);
-    std::fill_n(parameters.end() - kWeights, kWeights, b);
+    constexpr int kBiases = TapCount(Footprint::k16);
+    std::fill_n(parameters.end() - kBiases, kBiases, b);
     return HeadWeights(parameters.data(), 0.5, 0.5);
   };
   const Weights<double> at = weights(kVanishing);

@@ -38,7 +38,7 @@ constexpr std::array<int, 2> CanonicalPosition(int index) {
   return {i, index - i * (i + 1) / 2};
 }
 
-// 16 weights per canonical node.
+// The weights of the canonical nodes.
 template <class T>
 using CanonicalWeights = std::array<Weights<T>, kCanonicalNodes>;
 

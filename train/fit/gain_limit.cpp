@@ -6,6 +6,8 @@
 #include "luts/certificate/certificate.h"
 #include "luts/certificate/gain.h"
 #include "luts/filters.h"
+#include "luts/certificate/gain.h"
+#include "train/fit/kaiser_family.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/spline_family.h"
 #include "train/fit/train_options.h"
@@ -44,9 +46,10 @@ class NodeMix {
   const Prefilter& prefilter_;
 };
 
-void ScaleLastLayer(double share, std::vector<double>& parameters) {
-  std::for_each(parameters.begin() + MlpLayerOffset(kMlpLayers - 1),
-                parameters.begin() + kMlpParameters, [&](double& p) { p *= share; });
+// Of `mlp_size` parameters.
+void ScaleLastLayer(double share, int mlp_size, std::vector<double>& parameters) {
+  std::for_each(parameters.begin() + MlpLayerOffset(kMlpLayers - 1), parameters.begin() + mlp_size,
+                [&](double& p) { p *= share; });
 }
 
 // Weights alone are mixed, each node for itself.
@@ -54,18 +57,20 @@ double LimitWeights(double limit, ResamplerModel& model, std::vector<double>& pa
   const Resampler resampler = model.ForwardStored(parameters.data());
   const Prefilter prefilter = Rounded(resampler.prefilter);
   const bool with_prefilter = HasPrefilter(prefilter);
-  const CanonicalWeights<double> base = with_prefilter
-                                            ? SplineResampler(resampler.prefilter).weights
-                                            : KeysCanonicalWeights(kCatmullRomA);
+  const bool wide = resampler.footprint != Footprint::k16;
+  const CanonicalWeights<double> base =
+      with_prefilter ? SplineResampler(resampler.prefilter).weights
+      : wide         ? WideBase(resampler.footprint, model.kaiser_b()).weights
+                     : KeysCanonicalWeights(kCatmullRomA);
   double share = 1;
   for (int c = 0; c < kCanonicalNodes; ++c) {
     const double gain = MaxGain(resampler.weights[c], prefilter).gain;
     if (gain <= limit) continue;
     const NodeMix mix(base[c], resampler.weights[c], prefilter);
-    const double base_gain = with_prefilter ? mix.GainAtShare(0) : 1;
+    const double base_gain = with_prefilter || wide ? mix.GainAtShare(0) : 1;
     share = std::min(share, mix.LargestShare(base_gain, gain, limit));
   }
-  if (share < 1) ScaleLastLayer(share, parameters);
+  if (share < 1) ScaleLastLayer(share, model.mlp_size(), parameters);
   return share;
 }
 
@@ -75,7 +80,7 @@ double LimitFir(double limit, ResamplerModel& model, std::vector<double>& parame
       model.map().NumbersOf(FirPrefilter(trained.side, trained.reach));
   const auto mixed = [&](double share) {
     std::vector<double> result = parameters;
-    ScaleLastLayer(share, result);
+    ScaleLastLayer(share, kMlpParameters, result);
     for (int j = 1; j <= trained.reach; ++j) {
       double& tap = result[static_cast<std::size_t>(kMlpParameters + j)];
       tap = std::lerp(start[static_cast<std::size_t>(j)], tap, share);

@@ -1,8 +1,8 @@
 // Keeps the bound on gain: takes back the excess that the penalty lets through.
 //
 // With the head's residual scaled by t, which is to scale the last layer's parameters by t, the
-// weights are C + t (w - C), C the head's base: Catmull-Rom weights, whose gain is 1, or the spline
-// of the prefilter's side. The gain is convex in t: it is within the limit from 0 up to some
+// weights are C + t (w - C), C the head's base: Catmull-Rom weights, whose gain is 1, the spline of
+// the prefilter's side, or a wide kernel. The gain is convex in t: it is within the limit from 0 up to some
 // largest t. A trained FIR goes with t too, from the one of its side (train/fit/spline_family.h): T + t
 // (P - T).
 #pragma once

@@ -12,8 +12,6 @@ namespace {
 constexpr int kSteps = 16;  // frequencies per pi
 constexpr int kFrequencies = (kSteps + 1) * 2 * kSteps;
 
-using Column = Eigen::Matrix<double, kWeights, 1>;
-
 // Calls visit(row, u, v) for the frequency (u, v) pi / kSteps of each row.
 template <class Visit>
 void VisitFrequencies(const Visit& visit) {
@@ -62,13 +60,17 @@ void AddResponseGradient(const RealPrefilter& prefilter, const Eigen::ArrayXd& p
 
 }  // namespace
 
-GainPenalty::GainPenalty(double bound)
-    : bound_(bound), cosine_(kFrequencies, kWeights), sine_(kFrequencies, kWeights) {
+GainPenalty::GainPenalty(double bound, Footprint footprint)
+    : bound_(bound),
+      footprint_(footprint),
+      cosine_(kFrequencies, TapCount(footprint)),
+      sine_(kFrequencies, TapCount(footprint)) {
+  const FootprintTaps& taps = TapsOf(footprint);
   VisitFrequencies([&](int row, int u, int v) {
-    for (int k = 0; k < kWeights; ++k) {
-      const double phase = std::numbers::pi / kSteps * (u * TapX(k) + v * TapY(k));
-      cosine_(row, k) = std::cos(phase);
-      sine_(row, k) = std::sin(phase);
+    for (int i = 0; i < taps.count; ++i) {
+      const double phase = std::numbers::pi / kSteps * (u * TapX(taps[i]) + v * TapY(taps[i]));
+      cosine_(row, i) = std::cos(phase);
+      sine_(row, i) = std::sin(phase);
     }
   });
 }
@@ -79,10 +81,11 @@ double GainPenalty::AddGradient(const Resampler& resampler, double factor,
   const bool with_prefilter = HasPrefilter(prefilter);
   const Eigen::ArrayXd squared = with_prefilter ? SquaredResponses(prefilter) : Eigen::ArrayXd();
   double total = 0;
-  Eigen::VectorXd real, imaginary, excess;
+  const FootprintTaps& taps = TapsOf(footprint_);
+  Eigen::VectorXd w(taps.count), of_w, real, imaginary, excess;
   Eigen::ArrayXd per_squared = Eigen::ArrayXd::Zero(squared.size());  // dP/d(R^2)
   for (int c = 0; c < kCanonicalNodes; ++c) {
-    const Eigen::Map<const Column> w(resampler.weights[c].data());
+    for (int i = 0; i < taps.count; ++i) w[i] = resampler.weights[c][taps[i]];
     real.noalias() = cosine_ * w;
     imaginary.noalias() = sine_ * w;
     excess = real.array().square() + imaginary.array().square();
@@ -97,8 +100,8 @@ double GainPenalty::AddGradient(const Resampler& resampler, double factor,
     }
     real.array() *= excess.array();
     imaginary.array() *= excess.array();
-    Eigen::Map<Column>(gradient.weights[c].data()) +=
-        4 * factor * (cosine_.transpose() * real + sine_.transpose() * imaginary);
+    of_w = 4 * factor * (cosine_.transpose() * real + sine_.transpose() * imaginary);
+    for (int i = 0; i < taps.count; ++i) gradient.weights[c][taps[i]] += of_w[i];
   }
   if (with_prefilter && total > 0) {
     AddResponseGradient(prefilter, factor * per_squared, gradient.prefilter);

@@ -16,14 +16,15 @@ namespace warplut {
 
 class GainPenalty {
  public:
-  explicit GainPenalty(double bound);
+  explicit GainPenalty(double bound, Footprint footprint = Footprint::k16);
 
-  // P(resampler), and adds factor * dP/d(resampler) to `gradient`.
+  // P(resampler), of the same footprint, and adds factor * dP/d(resampler) to `gradient`.
   double AddGradient(const Resampler& resampler, double factor, Resampler& gradient) const;
 
  private:
   double bound_;
-  Eigen::Matrix<double, Eigen::Dynamic, kWeights> cosine_, sine_;  // one row per frequency
+  Footprint footprint_;
+  Eigen::MatrixXd cosine_, sine_;  // one row per frequency, one column per tap
 };
 
 }  // namespace warplut

@@ -16,14 +16,22 @@ int ImagePoint(int g, int i, int j) {
 
 }  // namespace
 
-HeadBatch::HeadBatch() : input_(2, kPoints) {
+HeadBatch::HeadBatch(Footprint footprint, double kaiser_b)
+    : footprint_(footprint), input_(2, kPoints) {
+  const FootprintTaps& taps = TapsOf(footprint);
+  for (int i = 0; i < taps.count; ++i) place_[taps[i]] = i;
   for (int p = 0; p < kPoints; ++p) {
     input_(0, p) = 2 * NodeOffset(p % kSide) - 1;
     input_(1, p) = 2 * NodeOffset(p / kSide) - 1;
   }
   for (int c = 0; c < kCanonicalNodes; ++c) {
     const auto [i, j] = CanonicalPosition(c);
-    heads_.emplace_back(NodeOffset(i), NodeOffset(j));
+    const double dx = NodeOffset(i), dy = NodeOffset(j);
+    if (footprint == Footprint::k16) {
+      heads_.emplace_back(dx, dy);
+    } else {
+      heads_.emplace_back(footprint, WideWeights(footprint, kaiser_b, dx, dy), dx, dy);
+    }
   }
 }
 
@@ -47,8 +55,8 @@ double HeadBatch::SideGradient(const CanonicalWeights<double>& weight_gradient) 
 const CanonicalWeights<double>& HeadBatch::Forward(const double* parameters) {
   const Matrix* in = &input_;
   for (int l = 0; l < kMlpLayers; ++l) {
-    const int n_in = kMlpWidths[l];
-    const int n_out = kMlpWidths[l + 1];
+    const int n_in = MlpWidth(l, footprint_);
+    const int n_out = MlpWidth(l + 1, footprint_);
     const double* at = parameters + MlpLayerOffset(l);
     const Eigen::Map<const RowMajor> weight(at, n_out, n_in);
     const Eigen::Map<const Eigen::VectorXd> bias(at + n_in * n_out, n_out);
@@ -63,7 +71,9 @@ const CanonicalWeights<double>& HeadBatch::Forward(const double* parameters) {
     Weights<double> mean{};
     for (int g = 0; g < kSymmetries; ++g) {
       const int p = ImagePoint(g, i, j);
-      for (int k = 0; k < kWeights; ++k) mean[k] += raw(MapWeight(g, k), p) / kSymmetries;
+      for (const int k : TapsOf(footprint_)) {
+        mean[k] += raw(place_[MapWeight(g, k)], p) / kSymmetries;
+      }
     }
     weights_[c] = heads_[c].Forward(mean);
   }
@@ -73,18 +83,20 @@ const CanonicalWeights<double>& HeadBatch::Forward(const double* parameters) {
 void HeadBatch::Backward(const double* parameters, const CanonicalWeights<double>& weight_gradient,
                          double* parameter_gradient) {
   Matrix& last = delta_.back();
-  last.setZero(kWeights, kPoints);
+  last.setZero(TapCount(footprint_), kPoints);
   for (int c = 0; c < kCanonicalNodes; ++c) {
     const auto [i, j] = CanonicalPosition(c);
     const Weights<double> mean = heads_[c].Backward(weight_gradient[c]);
     for (int g = 0; g < kSymmetries; ++g) {
       const int p = ImagePoint(g, i, j);
-      for (int k = 0; k < kWeights; ++k) last(MapWeight(g, k), p) += mean[k] / kSymmetries;
+      for (const int k : TapsOf(footprint_)) {
+        last(place_[MapWeight(g, k)], p) += mean[k] / kSymmetries;
+      }
     }
   }
   for (int l = kMlpLayers - 1; l >= 0; --l) {
-    const int n_in = kMlpWidths[l];
-    const int n_out = kMlpWidths[l + 1];
+    const int n_in = MlpWidth(l, footprint_);
+    const int n_out = MlpWidth(l + 1, footprint_);
     const double* at = parameters + MlpLayerOffset(l);
     double* out = parameter_gradient + MlpLayerOffset(l);
     const Matrix& in = l > 0 ? activation_[l - 1] : input_;

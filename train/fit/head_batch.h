@@ -13,12 +13,15 @@ namespace warplut {
 // One object serves one thread.
 class HeadBatch {
  public:
-  HeadBatch();
+  // Of 16 taps without prefilter; or of another footprint, with its wide kernel of parameter b.
+  explicit HeadBatch(Footprint footprint = Footprint::k16, double kaiser_b = 0);
 
-  // With a prefilter of this side from now on.
+  Footprint footprint() const { return footprint_; }
+
+  // Of 16 taps: with a prefilter of this side from now on.
   void SetSide(double side);
 
-  // The weights of every canonical node for these parameters (kMlpParameters values). Equal to
+  // The weights of every canonical node for these parameters (MlpParameters(footprint()) values). Equal to
   // HeadWeights to rounding: 1e-12 for weights of order 1.
   const CanonicalWeights<double>& Forward(const double* parameters);
 
@@ -32,6 +35,8 @@ class HeadBatch {
  private:
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor>;
 
+  Footprint footprint_;
+  std::array<int, kWeights> place_{};          // of a weight among the footprint's taps
   Matrix input_;                               // 2 x points; the points are the 33 x 33 nodes
   std::array<Matrix, kMlpLayers> activation_;  // output of each layer, one column per point
   std::array<Matrix, kMlpLayers> delta_;

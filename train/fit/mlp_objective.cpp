@@ -16,12 +16,12 @@ double MlpObjective::Evaluate(const double* parameters, double* gradient) {
   return value;
 }
 
-std::vector<double> RandomParameters(std::uint64_t seed) {
-  std::vector<double> parameters(kMlpParameters, 0.0);
+std::vector<double> RandomParameters(std::uint64_t seed, Footprint footprint) {
+  std::vector<double> parameters(static_cast<std::size_t>(MlpParameters(footprint)), 0.0);
   Random random(seed);
   for (int layer = 0; layer < kMlpLayers; ++layer) {
-    const int n_in = kMlpWidths[layer];
-    const int n_out = kMlpWidths[layer + 1];
+    const int n_in = MlpWidth(layer, footprint);
+    const int n_out = MlpWidth(layer + 1, footprint);
     double reach = std::sqrt(6.0 / (n_in + n_out));
     if (layer + 1 == kMlpLayers) reach *= kLastLayerScale;
     double* weight = parameters.data() + MlpLayerOffset(layer);

@@ -23,11 +23,11 @@ class MlpObjective final : public ParameterFunction {
  public:
   // `objective` must outlive this.
   MlpObjective(const Objective& objective, double gain_bound, double penalty_factor,
-               const PrefilterMap& prefilter = {})
+               const ResamplerModel& model = ResamplerModel())
       : objective_(objective),
-        penalty_(gain_bound),
+        penalty_(gain_bound, model.footprint()),
         penalty_factor_(penalty_factor),
-        model_(prefilter) {}
+        model_(model) {}
 
   // J(parameters). Counts evaluations.
   double Evaluate(const double* parameters, double* gradient) override;
@@ -45,7 +45,7 @@ class MlpObjective final : public ParameterFunction {
 // Random starting parameters of the MLP: layers uniform with variance 2 / (in + out)
 // (Glorot and Bengio 2010), the last one scaled by kLastLayerScale so that the start lies near the
 // head's base kernel; biases 0.
-std::vector<double> RandomParameters(std::uint64_t seed);
+std::vector<double> RandomParameters(std::uint64_t seed, Footprint footprint = Footprint::k16);
 
 inline constexpr double kLastLayerScale = 0.1;
 

@@ -25,10 +25,10 @@ Objective::Objective(std::vector<BorderedPlane> crops, std::vector<Protocol> pro
 }
 
 std::vector<Displacement> Objective::DrawTrajectory(std::size_t first, std::size_t count,
-                                                    std::uint64_t seed) const {
+                                                    std::uint64_t seed, int steps) const {
   std::vector<int> horizons;
   for (std::size_t i = first; i < first + count; ++i) horizons.push_back(protocols_[i].warps);
-  return MakeTrajectory(protocols_[first].offsets, horizons, kNodes, seed);
+  return MakeTrajectory(protocols_[first].offsets, horizons, steps, seed);
 }
 
 Rollout& Objective::AddRollout(std::size_t crop, std::size_t first, std::size_t count,

@@ -66,9 +66,9 @@ class Objective {
   Objective(std::vector<BorderedPlane> crops, std::vector<Protocol> protocols,
             std::vector<Kind> kinds, double power);
 
-  // A trajectory for `count` consecutive protocols from `first` on.
-  std::vector<Displacement> DrawTrajectory(std::size_t first, std::size_t count,
-                                           std::uint64_t seed) const;
+  // A trajectory for `count` consecutive protocols from `first` on; `steps` as MakeTrajectory has it.
+  std::vector<Displacement> DrawTrajectory(std::size_t first, std::size_t count, std::uint64_t seed,
+                                           int steps = kNodes) const;
 
   // A rollout of pure warps from a crop to itself, along a trajectory drawn for these protocols,
   // which judge it. The reference serves to add samples; it is valid until the next call.

@@ -8,12 +8,13 @@
 namespace warplut {
 
 // As a gradient it holds the derivatives with respect to the same numbers: side and taps, each
-// taken to be independent of the others and of the weights.
+// taken to be independent of the others and of the weights; its footprint says nothing.
 struct Resampler {
   Resampler() = default;
   // Without prefilter where none is given.
-  Resampler(const CanonicalWeights<double>& node_weights, const RealPrefilter& before = {})
-      : weights(node_weights), prefilter(before) {}
+  Resampler(const CanonicalWeights<double>& node_weights, const RealPrefilter& before = {},
+            Footprint taps = Footprint::k16)
+      : weights(node_weights), prefilter(before), footprint(taps) {}
 
   // Adds factor times the numbers of another.
   void Add(double factor, const Resampler& other) {
@@ -28,6 +29,7 @@ struct Resampler {
 
   CanonicalWeights<double> weights{};
   RealPrefilter prefilter = {};
+  Footprint footprint = Footprint::k16;
 };
 
 }  // namespace warplut

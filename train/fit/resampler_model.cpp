@@ -5,16 +5,16 @@ namespace warplut {
 const Resampler& ResamplerModel::Evaluate(const double* parameters,
                                           const RealPrefilter& prefilter) {
   if (HasPrefilter(prefilter)) head_.SetSide(prefilter.side);
-  resampler_ = {head_.Forward(parameters), prefilter};
+  resampler_ = {head_.Forward(parameters), prefilter, footprint()};
   return resampler_;
 }
 
 const Resampler& ResamplerModel::Forward(const double* parameters) {
-  return Evaluate(parameters, map_.At(parameters + kMlpParameters));
+  return Evaluate(parameters, map_.At(parameters + mlp_size()));
 }
 
 const Resampler& ResamplerModel::ForwardStored(const double* parameters) {
-  return Evaluate(parameters, ToReal(Rounded(map_.At(parameters + kMlpParameters))));
+  return Evaluate(parameters, ToReal(Rounded(map_.At(parameters + mlp_size()))));
 }
 
 void ResamplerModel::Backward(const double* parameters, const Resampler& gradient,
@@ -23,7 +23,7 @@ void ResamplerModel::Backward(const double* parameters, const Resampler& gradien
   if (map_.size() == 0) return;
   RealPrefilter of_prefilter = gradient.prefilter;
   of_prefilter.side += head_.SideGradient(gradient.weights);
-  map_.Backward(parameters + kMlpParameters, of_prefilter, parameter_gradient + kMlpParameters);
+  map_.Backward(parameters + mlp_size(), of_prefilter, parameter_gradient + mlp_size());
 }
 
 }  // namespace warplut

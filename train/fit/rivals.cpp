@@ -3,14 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "train/fit/kaiser_family.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/spline_family.h"
 
 namespace warplut {
 
-std::vector<Rival> JudgeRivals(const Objective& objective, double largest_side) {
+std::vector<Rival> JudgeRivals(const Objective& objective, const RivalFamily& family) {
   std::vector<Rival> rivals;
-  if (!(largest_side > 0)) {
+  if (family.footprint != Footprint::k16) {
+    for (int i = 0; i < kRivalKaisers; ++i) {
+      const Resampler kaiser = KaiserResampler(
+          std::lerp(kLeastRivalKaiser, kLargestRivalKaiser, i / (kRivalKaisers - 1.0)));
+      rivals.push_back({kaiser, objective.Losses(kaiser)});
+    }
+    return rivals;
+  }
+  const double largest_side = family.largest_side;
+  if (family.HasKeys()) {
     for (KeysLoss& keys : KeysLosses(objective)) {
       rivals.push_back({KeysCanonicalWeights(keys.a), std::move(keys.losses)});
     }

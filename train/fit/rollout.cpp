@@ -1,5 +1,6 @@
 #include "train/fit/rollout.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,11 +9,18 @@ namespace {
 
 constexpr int kInner = kRolloutMargin;
 
-// The whole part and node of -v.
-std::pair<int, int> Split(double v) {
-  const int position = static_cast<int>(std::lround(-v * kNodes));
-  const int cell = position >= 0 ? position / kNodes : -((kNodes - 1 - position) / kNodes);
-  return {cell, position - cell * kNodes};
+// The whole part of -v, the node at or before it, and how far beyond that, in intervals.
+struct AxisStep {
+  int cell = 0;
+  int node = 0;
+  double beyond = 0;
+};
+
+AxisStep Split(double v) {
+  const double position = -v * kNodes;
+  const int node = static_cast<int>(std::floor(position));
+  const int cell = node >= 0 ? node / kNodes : -((kNodes - 1 - node) / kNodes);
+  return {cell, node - cell * kNodes, position - node};
 }
 
 }  // namespace
@@ -21,19 +29,38 @@ std::vector<RolloutStep> ToSteps(std::span<const Displacement> trajectory) {
   std::vector<RolloutStep> steps;
   steps.reserve(trajectory.size());
   for (const Displacement& v : trajectory) {
-    const auto [cell_x, ix] = Split(v.x);
-    const auto [cell_y, jy] = Split(v.y);
-    steps.push_back({ToCanonical(ix, jy), cell_x, cell_y});
+    const AxisStep x = Split(v.x), y = Split(v.y);
+    steps.push_back({ToCanonical(x.node, y.node),
+                     x.cell,
+                     y.cell,
+                     x.beyond,
+                     y.beyond,
+                     {ToCanonical(x.node + 1, y.node), ToCanonical(x.node, y.node + 1),
+                      ToCanonical(x.node + 1, y.node + 1)}});
   }
   return steps;
 }
 
-Stencil ToStencil(const RolloutStep& step, const CanonicalWeights<double>& weights) {
-  Stencil stencil{step.cell_x, step.cell_y, {}};
-  const Weights<double>& canonical = weights[step.node.index];
-  for (int k = 0; k < kWeights; ++k) {
-    stencil.weights[k] = static_cast<float>(canonical[MapWeight(step.node.symmetry, k)]);
+std::array<NodeShare, 4> SharesOf(const RolloutStep& step) {
+  const double x = step.beyond_x, y = step.beyond_y;
+  return {{{step.node, (1 - x) * (1 - y)},
+           {step.others[0], x * (1 - y)},
+           {step.others[1], (1 - x) * y},
+           {step.others[2], x * y}}};
+}
+
+Stencil ToStencil(const RolloutStep& step, const Resampler& resampler) {
+  Weights<double> weights{};
+  for (const auto& [node, share] : SharesOf(step)) {
+    if (share == 0) continue;
+    const Weights<double>& canonical = resampler.weights[node.index];
+    for (const int k : TapsOf(resampler.footprint)) {
+      weights[k] += share * canonical[MapWeight(node.symmetry, k)];
+    }
   }
+  Stencil stencil{step.cell_x, step.cell_y, {}, resampler.footprint};
+  std::transform(weights.begin(), weights.end(), stencil.weights.begin(),
+                 [](double w) { return static_cast<float>(w); });
   return stencil;
 }
 
@@ -74,7 +101,7 @@ void RolloutWorkspace::Run(const Rollout& rollout, const Resampler& resampler, s
     const BorderedPlane& image = i == 0 ? *rollout.start : planes_[(i - 1) % kept];
     if (with_prefilter) prefilter_.Apply(image, coefficients_[at]);
     const BorderedPlane& in = with_prefilter ? coefficients_[at] : image;
-    const Stencil stencil = ToStencil(rollout.steps[i], resampler.weights);
+    const Stencil stencil = ToStencil(rollout.steps[i], resampler);
     if (with_samples) {
       ApplyStencil(stencil, in, warped_[at]);
       const FrameSamples& frame = rollout.frames[i];
@@ -105,16 +132,19 @@ void RolloutWorkspace::Backward(const Rollout& rollout, std::span<const double> 
     const RolloutStep& step = rollout.steps[i];
     const BorderedPlane& image = i == 0 ? *rollout.start : planes_[i - 1];
     Weights<double> step_gradient{};
-    AdjointStencil(ToStencil(step, resampler.weights), with_prefilter ? coefficients_[i] : image,
+    AdjointStencil(ToStencil(step, resampler), with_prefilter ? coefficients_[i] : image,
                    with_samples ? warped_[i] : planes_[i], gradient_, next_gradient_, step_gradient,
                    with_prefilter ? Border::kMirrored : Border::kRepeated);
     if (with_prefilter) {
       prefilter_.Adjoint(image, coefficients_[i], next_gradient_, gradient.prefilter);
     }
     std::swap(gradient_, next_gradient_);
-    Weights<double>& canonical = gradient.weights[step.node.index];
-    for (int k = 0; k < kWeights; ++k) {
-      canonical[MapWeight(step.node.symmetry, k)] += step_gradient[k];
+    for (const auto& [node, share] : SharesOf(step)) {
+      if (share == 0) continue;
+      Weights<double>& canonical = gradient.weights[node.index];
+      for (const int k : TapsOf(resampler.footprint)) {
+        canonical[MapWeight(node.symmetry, k)] += share * step_gradient[k];
+      }
     }
   }
 }

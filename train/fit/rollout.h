@@ -5,6 +5,7 @@
 // stencil -> clamp to [0, 1]. Without, it reads the image, whose edge pixels repeat.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -18,19 +19,31 @@
 
 namespace warplut {
 
-// One warp of a trajectory, as a node and a cell.
+// One warp of a trajectory, as a cell and an offset in it: a node, and how far beyond it.
 struct RolloutStep {
   CanonicalNode node;
   int cell_x = 0;
   int cell_y = 0;
+  // In intervals between nodes, [0, 1): the weights are the bilinear mean of those of the node and of
+  // the nodes to its right, below it and both, as the runtime looks them up.
+  double beyond_x = 0;
+  double beyond_y = 0;
+  std::array<CanonicalNode, 3> others = {};
 };
 
-// Displacements on the node grid (MakeTrajectory with steps = kNodes) as steps: the position p - v
-// lies in cell floor(-v), at the offset that is left.
+// The nodes of a step and their shares of its weights, (1 - f_x) (1 - f_y) and so on; some may be 0.
+struct NodeShare {
+  CanonicalNode node;
+  double share = 0;
+};
+std::array<NodeShare, 4> SharesOf(const RolloutStep& step);
+
+// Displacements as steps: the position p - v lies in cell floor(-v), at the offset that is left. On
+// the node grid (MakeTrajectory with steps = kNodes) every offset is a node.
 std::vector<RolloutStep> ToSteps(std::span<const Displacement> trajectory);
 
 // The stencil of a step.
-Stencil ToStencil(const RolloutStep& step, const CanonicalWeights<double>& weights);
+Stencil ToStencil(const RolloutStep& step, const Resampler& resampler);
 
 // SSIM looks at the image without this margin, where the clamped border disturbs the content.
 inline constexpr int kRolloutMargin = 12;

@@ -82,10 +82,10 @@ SrObjective::SrObjective(std::vector<BorderedPlane> all_crops, const std::vector
   if (like != nullptr) {
     ScaleBaselines(*like);
   } else {
-    const std::vector<Rival> rivals = JudgeRivals(*this, options.largest_side);
-    SetBaselines(LeastLosses(rivals), options.largest_side > 0
-                                          ? BestRival(rivals, count - 1).resampler
-                                          : KeysCanonicalWeights(kCatmullRomA));
+    const std::vector<Rival> rivals = JudgeRivals(*this, options.rivals);
+    SetBaselines(LeastLosses(rivals), options.rivals.HasKeys()
+                                          ? KeysCanonicalWeights(kCatmullRomA)
+                                          : BestRival(rivals, count - 1).resampler);
   }
 }
 

@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "train/fit/objective.h"
+#include "train/fit/rivals.h"
 
 namespace warplut {
 
@@ -42,7 +43,7 @@ struct SrObjectiveOptions {
   double pan_share = 0;     // q, in [0, 1]
   int pans_per_crop = 0;    // 0: no pan among the protocols, then pan_share is 0
   double aliasing = 0;      // output pixels, >= 0
-  double largest_side = 0;  // of the splines that are the baselines; 0: Keys kernels are
+  RivalFamily rivals = {};  // the baselines
 };
 
 class SrObjective final : public Objective {

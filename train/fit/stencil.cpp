@@ -19,81 +19,138 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<float, 16>;
 using V = hn::Vec<D>;
 
-// Sum over the taps of weights[4 (ky) + kx] * in[ky * stride + kx], one vector of outputs.
+// Taps of the largest footprint, two by two.
+inline constexpr int kMostPairs = kWeights / 2;
+
+// The texel of tap i of the footprint, from that of tap (0, 0).
+template <Footprint kFootprint>
+HWY_INLINE const float* TexelOf(int i, const float* in, std::ptrdiff_t stride) {
+  const int k = TapsOf(kFootprint)[i];
+  return in + TapY(k) * stride + TapX(k);
+}
+
+// Sum over the taps i of weights[i] times their texels, one vector of outputs; `in` is at tap (0, 0).
+template <Footprint kFootprint>
 HWY_INLINE V Gather(const V* weights, const float* in, std::ptrdiff_t stride) {
+  constexpr int kCount = TapCount(kFootprint);
   const D d;
-  V even = hn::Mul(weights[0], hn::LoadU(d, in));
-  V odd = hn::Mul(weights[1], hn::LoadU(d, in + 1));
-  for (int k = 2; k < kWeights; k += 2) {
-    const float* at = in + (k / kTaps) * stride + k % kTaps;
-    even = hn::MulAdd(weights[k], hn::LoadU(d, at), even);
-    odd = hn::MulAdd(weights[k + 1], hn::LoadU(d, at + 1), odd);
+  const auto texels = [&](int i)
+                          HWY_ATTR { return hn::LoadU(d, TexelOf<kFootprint>(i, in, stride)); };
+  V even = hn::Mul(weights[0], texels(0));
+  V odd = hn::Mul(weights[1], texels(1));
+  HWY_UNROLL(kMostPairs)
+  for (int i = 2; i < kCount; i += 2) {
+    even = hn::MulAdd(weights[i], texels(i), even);
+    odd = hn::MulAdd(weights[i + 1], texels(i + 1), odd);
   }
   return hn::Add(even, odd);
 }
 
 // Whole vectors may run past the right edge into the border, which FillBorder repairs.
-void StencilRows(const Stencil& s, const BorderedPlane& in, BorderedPlane& out) {
+template <Footprint kFootprint>
+void FootprintRows(const Stencil& s, const BorderedPlane& in, BorderedPlane& out) {
+  constexpr int kCount = TapCount(kFootprint);
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  V weights[kWeights];
-  for (int k = 0; k < kWeights; ++k) weights[k] = hn::Set(d, s.weights[k]);
+  V weights[kCount];
+  for (int i = 0; i < kCount; ++i) weights[i] = hn::Set(d, s.weights[TapsOf(kFootprint)[i]]);
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, 1.0f);
   for (int y = 0; y < in.height(); ++y) {
-    const float* from = in.row(y + s.cell_y + kFirstTap) + s.cell_x + kFirstTap;
+    const float* from = in.row(y + s.cell_y) + s.cell_x;
     float* to = out.row(y);
     for (int x = 0; x < in.width(); x += lanes) {
-      const V sum = Gather(weights, from + x, in.stride());
+      const V sum = Gather<kFootprint>(weights, from + x, in.stride());
       hn::StoreU(hn::Min(hn::Max(sum, zero), one), d, to + x);
     }
   }
 }
 
 // Zeroes the gradient of clamped pixels and adds the gradient of the weights, row by row.
-void WeightGradient(const Stencil& s, const BorderedPlane& in, const BorderedPlane& out,
-                    BorderedPlane& out_gradient, double* gradient) {
+template <Footprint kFootprint>
+void FootprintWeightGradient(const Stencil& s, const BorderedPlane& in, const BorderedPlane& out,
+                             BorderedPlane& out_gradient, double* gradient) {
+  constexpr int kCount = TapCount(kFootprint);
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, 1.0f);
   for (int y = 0; y < in.height(); ++y) {
-    const float* from = in.row(y + s.cell_y + kFirstTap) + s.cell_x + kFirstTap;
+    const float* from = in.row(y + s.cell_y) + s.cell_x;
     const float* value = out.row(y);
     float* g = out_gradient.row(y);
-    V sums[kWeights];
+    V sums[kCount];
     for (V& sum : sums) sum = zero;
     for (int x = 0; x < in.width(); x += lanes) {
       const V v = hn::LoadU(d, value + x);
       const auto open = hn::And(hn::Gt(v, zero), hn::Lt(v, one));
       const V masked = hn::IfThenElseZero(open, hn::LoadU(d, g + x));
       hn::StoreU(masked, d, g + x);
-      for (int k = 0; k < kWeights; ++k) {
-        const float* at = from + (k / kTaps) * in.stride() + k % kTaps + x;
-        sums[k] = hn::MulAdd(masked, hn::LoadU(d, at), sums[k]);
+      HWY_UNROLL(kWeights)
+      for (int i = 0; i < kCount; ++i) {
+        const float* at = TexelOf<kFootprint>(i, from + x, in.stride());
+        sums[i] = hn::MulAdd(masked, hn::LoadU(d, at), sums[i]);
       }
     }
-    for (int k = 0; k < kWeights; ++k) gradient[k] += hn::GetLane(hn::SumOfLanes(d, sums[k]));
+    for (int i = 0; i < kCount; ++i) {
+      gradient[TapsOf(kFootprint)[i]] += hn::GetLane(hn::SumOfLanes(d, sums[i]));
+    }
   }
 }
 
 // in_gradient(q) = sum of weight k * out_gradient(q - offset of tap k), for q inside and in the
-// border that a stencil reads.
-void InputGradient(const Stencil& s, const BorderedPlane& out_gradient,
-                   BorderedPlane& in_gradient) {
-  constexpr int kReach = 2;
+// border that a stencil reads. The taps (x, y) and (1 - x, 1 - y) are at places i and count - 1 - i.
+template <Footprint kFootprint>
+void FootprintInputGradient(const Stencil& s, const BorderedPlane& out_gradient,
+                            BorderedPlane& in_gradient) {
+  constexpr int kCount = TapCount(kFootprint);
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  V weights[kWeights];
-  for (int k = 0; k < kWeights; ++k) weights[k] = hn::Set(d, s.weights[kWeights - 1 - k]);
-  // q - cell - tap for the last tap is the upper-left of the 4 x 4 window.
-  const int first = kTaps - 1 + kFirstTap;
-  for (int y = -kReach; y < in_gradient.height() + kReach; ++y) {
-    const float* from = out_gradient.row(y - s.cell_y - first) - s.cell_x - first;
+  V weights[kCount];
+  for (int i = 0; i < kCount; ++i) {
+    weights[i] = hn::Set(d, s.weights[TapsOf(kFootprint)[kCount - 1 - i]]);
+  }
+  for (int y = -kStencilReach; y < in_gradient.height() + kStencilReach; ++y) {
+    const float* from = out_gradient.row(y - s.cell_y - 1) - s.cell_x - 1;
     float* to = in_gradient.row(y);
-    for (int x = -kReach; x < in_gradient.width() + kReach; x += lanes) {
-      hn::StoreU(Gather(weights, from + x, out_gradient.stride()), d, to + x);
+    for (int x = -kStencilReach; x < in_gradient.width() + kStencilReach; x += lanes) {
+      hn::StoreU(Gather<kFootprint>(weights, from + x, out_gradient.stride()), d, to + x);
     }
+  }
+}
+
+void StencilRows(const Stencil& s, const BorderedPlane& in, BorderedPlane& out) {
+  switch (s.footprint) {
+    case Footprint::k16:
+      return FootprintRows<Footprint::k16>(s, in, out);
+    case Footprint::k24:
+      return FootprintRows<Footprint::k24>(s, in, out);
+    case Footprint::k36:
+      return FootprintRows<Footprint::k36>(s, in, out);
+  }
+}
+
+void WeightGradient(const Stencil& s, const BorderedPlane& in, const BorderedPlane& out,
+                    BorderedPlane& out_gradient, double* gradient) {
+  switch (s.footprint) {
+    case Footprint::k16:
+      return FootprintWeightGradient<Footprint::k16>(s, in, out, out_gradient, gradient);
+    case Footprint::k24:
+      return FootprintWeightGradient<Footprint::k24>(s, in, out, out_gradient, gradient);
+    case Footprint::k36:
+      return FootprintWeightGradient<Footprint::k36>(s, in, out, out_gradient, gradient);
+  }
+}
+
+void InputGradient(const Stencil& s, const BorderedPlane& out_gradient,
+                   BorderedPlane& in_gradient) {
+  switch (s.footprint) {
+    case Footprint::k16:
+      return FootprintInputGradient<Footprint::k16>(s, out_gradient, in_gradient);
+    case Footprint::k24:
+      return FootprintInputGradient<Footprint::k24>(s, out_gradient, in_gradient);
+    case Footprint::k36:
+      return FootprintInputGradient<Footprint::k36>(s, out_gradient, in_gradient);
   }
 }
 
@@ -112,8 +169,7 @@ HWY_EXPORT(InputGradient);
 
 namespace {
 
-// How far a stencil reads past the image: a whole part of -1 and tap -1, or tap 2.
-constexpr int kReach = 2;
+constexpr int kReach = kStencilReach;
 
 }  // namespace
 

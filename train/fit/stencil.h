@@ -12,7 +12,7 @@ namespace warplut {
 // of the border, is at origin()[y * stride() + x].
 class BorderedPlane {
  public:
-  static constexpr int kBorder = 4;
+  static constexpr int kBorder = 6;
 
   BorderedPlane(int width, int height)
       : width_(width),
@@ -39,13 +39,19 @@ class BorderedPlane {
   std::vector<float> data_;
 };
 
-// One warp: every pixel p becomes the sum of weight k times the texel at p + (cell_x + TapX(k),
-// cell_y + TapY(k)).
+// One warp: every pixel p becomes the sum, over the taps of the footprint, of weight k times the texel
+// at p + (cell_x + TapX(k), cell_y + TapY(k)).
 struct Stencil {
   int cell_x = 0;  // whole part of the sampled position, -1 or 0
   int cell_y = 0;
   Weights<float> weights{};
+  Footprint footprint = Footprint::k16;
 };
+
+// How far a stencil of any footprint reads past the image: a whole part of -1 and tap -2, or tap 3.
+inline constexpr int kStencilReach = 3;
+// Its adjoint reads gradients as far again.
+static_assert(BorderedPlane::kBorder >= 2 * kStencilReach);
 
 // How an image goes on beyond its edges: its edge pixels repeat, or it is mirrored at the edge of
 // the outermost pixels, x(-1 - i) = x(i).

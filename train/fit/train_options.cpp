@@ -45,6 +45,12 @@ bool TrainOptions::IsValid(std::string* why) const {
     }
     last = horizon;
   }
+  if (footprint != Footprint::k16 && prefilter != TrainPrefilter::kNone) {
+    return Refuse(why,
+                  fmt::format("taps is {} with prefilter {}; expected prefilter none with more "
+                              "than {} taps.",
+                              TapCount(footprint), PrefilterName(*this), TapCount(Footprint::k16)));
+  }
   const bool is_fir = prefilter == TrainPrefilter::kFir;
   if (is_fir && !(fir_taps % 2 == 1 && fir_taps >= 3 && FirReach(*this) <= kLargestFirReach)) {
     return Refuse(why, fmt::format("fir_taps is {}; expected an odd number of 3 to {} taps.",
@@ -92,7 +98,7 @@ TrainOptions TrainOptions::Resolved() const {
   TrainOptions resolved = *this;
   if (horizons.empty()) resolved.horizons = DefaultHorizons(scale);
   const int longest = resolved.horizons.back();
-  const bool plain = prefilter == TrainPrefilter::kNone;
+  const bool plain = prefilter == TrainPrefilter::kNone && footprint == Footprint::k16;
   if (iterations == 0) {
     resolved.iterations = optimizer == Optimizer::kAdam ? kDefaultAdamIterations
                           : plain                       ? kDefaultPlainLbfgsIterations
@@ -125,6 +131,7 @@ std::string TrainOptions::Json() const {
                                  {"pan_share", *pan_share},
                                  {"crops", crops},
                                  {"max_seconds", max_seconds}};
+  if (footprint != Footprint::k16) json["taps"] = TapCount(footprint);
   if (objective == TrainObjective::kSr) {
     json["objective"] = Name(objective);
     json["blend_a"] = *blend_a;

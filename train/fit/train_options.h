@@ -35,12 +35,12 @@ enum class TrainPrefilter : std::uint8_t { kNone, kSpline, kIir, kFir };
 // The longest half-pixel protocol is up to twice as long, and a fit must be able to record it.
 inline constexpr int kMaxHorizon = kMaxRecordedWarps / 2;
 inline constexpr int kDefaultStages = 3;
-// Per stage. The start with a prefilter is near the end, and a warp costs more.
+// Per stage. The start with a prefilter or more than 16 taps is near the end, and a warp costs more.
 inline constexpr int kDefaultLbfgsIterations = 20;
-inline constexpr int kDefaultPlainLbfgsIterations = 40;  // without prefilter
+inline constexpr int kDefaultPlainLbfgsIterations = 40;  // 16 taps without prefilter
 inline constexpr int kDefaultAdamIterations = 100;
 
-// The share of pans in objective `warp`, and there without prefilter.
+// The share of pans in objective `warp`, and there of 16 taps without prefilter.
 inline constexpr double kPanShare = 1.0 / 3;
 inline constexpr double kPlainPanShare = 0.08;
 
@@ -53,7 +53,7 @@ inline constexpr double kSrAliasing = 1.5;
 // The work of one evaluation: crops times the longest horizon. More crops generalise better and
 // take longer.
 inline constexpr int kDefaultCropWarps = 12 * 64;
-inline constexpr int kDefaultPlainCropWarps = 32 * 64;  // without prefilter
+inline constexpr int kDefaultPlainCropWarps = 32 * 64;  // 16 taps without prefilter
 
 inline constexpr int kFewestCrops = 12;
 
@@ -66,6 +66,7 @@ struct TrainOptions {
   std::optional<double> blend_a, blend_b;
   // Aliasing of samples in objective `sr`, in [0, 4]; empty: kSrAliasing. Not for objective `warp`.
   std::optional<double> aliasing;
+  Footprint footprint = Footprint::k16;  // others without a prefilter
   TrainPrefilter prefilter = TrainPrefilter::kIir;
   int fir_taps = 0;  // of kFir: odd, 3 to 15; otherwise 0
   Optimizer optimizer = Optimizer::kLbfgs;

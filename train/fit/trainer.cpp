@@ -16,6 +16,7 @@
 #include "train/fit/crops.h"
 #include "train/fit/evaluation_log.h"
 #include "train/fit/gain_limit.h"
+#include "train/fit/kaiser_family.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/minimize.h"
 #include "train/fit/mlp_objective.h"
@@ -59,19 +60,22 @@ Stage MakeStage(const TrainOptions& options, int index) {
           kGainPenaltyFactor * softening};
 }
 
-// The objective of the options, resolved; `power` is for objective `warp` alone, `largest_side` 0
-// without prefilter.
+// The objective of the options, resolved; `power` is for objective `warp` alone.
 std::unique_ptr<const Objective> MakeObjective(const TrainOptions& options,
                                                std::vector<BorderedPlane> crops, std::uint64_t seed,
-                                               int pans_per_crop, double power, double largest_side,
-                                               const Objective* like) {
+                                               int pans_per_crop, double power,
+                                               const RivalFamily& rivals, const Objective* like) {
   if (options.objective == TrainObjective::kSr) {
-    const SrObjectiveOptions sr{options.scale,      *options.blend_a, *options.blend_b,
-                                *options.pan_share, pans_per_crop,    *options.aliasing,
-                                largest_side};
+    const SrObjectiveOptions sr{options.scale,
+                                *options.blend_a,
+                                *options.blend_b,
+                                *options.pan_share,
+                                pans_per_crop,
+                                *options.aliasing,
+                                rivals};
     return std::make_unique<SrObjective>(std::move(crops), options.horizons, seed, sr, like);
   }
-  const WarpObjectiveOptions warp{power, *options.pan_share, pans_per_crop, largest_side};
+  const WarpObjectiveOptions warp{power, *options.pan_share, pans_per_crop, rivals};
   return std::make_unique<WarpObjective>(std::move(crops), options.horizons, seed, warp, like);
 }
 
@@ -105,19 +109,20 @@ class Training {
       : options_(options.Resolved()),
         progress_(progress),
         luma_(CheckedLuma(images)),
-        penalty_(options_.gain_bound),
-        largest_side_(LargestSide(options_, 0)),
+        penalty_(options_.gain_bound, options_.footprint),
+        rivals_{LargestSide(options_, 0), options_.footprint},
         validation_(MakeObjective(
             options_,
             DrawCrops(luma_, options_.crops / 3 + 1, Seed(options_, SeedFor::kValidation)),
-            Seed(options_, SeedFor::kValidation, 1), kValidationPans, kProtocolPower, largest_side_,
+            Seed(options_, SeedFor::kValidation, 1), kValidationPans, kProtocolPower, rivals_,
             nullptr)) {
     state_.made_for.options = options_.Json();
     for (const TrainImage& image : images) {
       state_.made_for.images.push_back({image.record.name, image.record.sha1});
     }
-    state_.parameters = RandomParameters(Seed(options_, SeedFor::kStart));
-    if (largest_side_ > 0) StartPrefilter();
+    state_.parameters = RandomParameters(Seed(options_, SeedFor::kStart), options_.footprint);
+    if (rivals_.largest_side > 0) StartPrefilter();
+    if (options_.footprint != Footprint::k16) StartWide();
     if (options_.resume) {
       state_ = ReadCheckpoint(options_.checkpoint, state_.made_for, state_.parameters.size());
     }
@@ -151,6 +156,7 @@ class Training {
   double Judge(const Objective& objective, const Resampler& resampler) const;
   std::unique_ptr<const Objective> StageObjective(int index) const;
   void StartPrefilter();
+  void StartWide();
   bool RunStage();
   // Writes the checkpoint, if there is one to write and `now` or the last one is old.
   void Save(bool now);
@@ -161,7 +167,7 @@ class Training {
   const TrainCallback& progress_;
   const std::vector<Image> luma_;
   const GainPenalty penalty_;
-  const double largest_side_;  // of splines with their exact prefilter; 0 without prefilter
+  const RivalFamily rivals_;
   const std::unique_ptr<const Objective> validation_;
   ResamplerModel model_;
   Checkpoint state_;
@@ -182,7 +188,7 @@ std::unique_ptr<const Objective> Training::StageObjective(int index) const {
   return MakeObjective(options_,
                        DrawCrops(luma_, stage.crops, Seed(options_, SeedFor::kStages, 2 * index)),
                        Seed(options_, SeedFor::kStages, 2 * index + 1), TrainingPans(options_),
-                       stage.power, largest_side_, validation_.get());
+                       stage.power, rivals_, validation_.get());
 }
 
 // At the spline that the first stage likes best.
@@ -210,6 +216,14 @@ void Training::StartPrefilter() {
   for (const double number : model_.map().NumbersOf(start)) state_.parameters.push_back(number);
 }
 
+// At the wide kernel within the limit on gain that the first stage likes best.
+void Training::StartWide() {
+  const auto objective = StageObjective(0);
+  const auto loss = [&](double b) { return Judge(*objective, WideBase(options_.footprint, b)); };
+  const double least = LeastKaiser(options_.footprint, options_.gain_bound);
+  model_ = ResamplerModel(options_.footprint, BestKaiser(loss, least));
+}
+
 bool Training::Report(int iteration, std::int64_t evaluations, double loss) {
   if (!progress_) return true;
   const double done = state_.stage + static_cast<double>(iteration) / options_.iterations;
@@ -223,7 +237,7 @@ bool Training::Report(int iteration, std::int64_t evaluations, double loss) {
 bool Training::RunStage() {
   const auto stage_objective = StageObjective(state_.stage);
   MlpObjective objective(*stage_objective, options_.gain_bound,
-                         MakeStage(options_, state_.stage).penalty_factor, model_.map());
+                         MakeStage(options_, state_.stage).penalty_factor, model_);
   LoggedFunction logged(objective, state_.parameters.size(), &state_.begun, [&] { Save(false); });
   std::vector<double> parameters = state_.parameters;
   AdamState adam = state_.adam;
@@ -292,7 +306,7 @@ Fit Training::MakeFit(const std::vector<TrainImage>& images) {
   fit.cut = cut_;
   if (!state_.best_parameters.empty()) {
     fit.parameters.assign(state_.best_parameters.begin(),
-                          state_.best_parameters.begin() + kMlpParameters);
+                          state_.best_parameters.begin() + model_.mlp_size());
   }
   fit.loss = state_.loss;
   for (const TrainImage& image : images) fit.data.push_back(image.record);
@@ -300,6 +314,8 @@ Fit Training::MakeFit(const std::vector<TrainImage>& images) {
 
   const Resampler trained = model_.ForwardStored(state_.best_parameters.data());
   fit.prefilter = Rounded(trained.prefilter);
+  fit.footprint = model_.footprint();
+  fit.kaiser_b = model_.kaiser_b();
   fit.keys_a = FitKeys(*validation_);
   const auto add = [&](const char* filter, const Resampler& resampler) {
     const std::vector<double> losses = validation_->Losses(resampler);
@@ -312,11 +328,12 @@ Fit Training::MakeFit(const std::vector<TrainImage>& images) {
   if (HasPrefilter(fit.prefilter)) {
     const double side = BestSplineSide(
         [&](double s) { return Judge(*validation_, SplineResampler(RecursivePrefilter(s))); },
-        largest_side_);
+        rivals_.largest_side);
     fit.spline_k = SplineK(side);
     add("spline", SplineResampler(RecursivePrefilter(side)));
     add("spline-1/84", SplineResampler(RecursivePrefilter(SplineSide(kMiddleSplineK))));
   }
+  if (fit.footprint != Footprint::k16) add("kaiser6-4.5", KaiserResampler(kComparedKaiser));
   add("keys", KeysCanonicalWeights(fit.keys_a));
   add("catmull-rom", KeysCanonicalWeights(kCatmullRomA));
   return fit;

@@ -4,7 +4,9 @@
 // its trajectories by heart, and starts the optimizer from where the last one ended; early stages
 // have fewer crops and a smoother objective. At the end of a stage the gain is limited, so that the
 // weights keep their bound (train/fit/gain_limit.h). With a prefilter the start is the spline with the
-// least objective, and the baselines are splines (train/fit/spline_family.h). After each stage the fit is validated on crops that
+// least objective, and the baselines are splines (train/fit/spline_family.h). With 24 and 36 taps the
+// start is a wide kernel, and the baselines are windowed sincs (train/fit/kaiser_family.h). After each
+// stage the fit is validated on crops that
 // are drawn from other places and trajectories of their own; the best stage is the result.
 #pragma once
 

@@ -46,7 +46,9 @@ WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const std::vector
   const std::size_t pan = 2 * count;
   std::uint64_t drawn = 0;
   const auto add = [&](std::size_t crop, std::size_t protocol) {
-    AddRollout(crop, protocol, 1, DrawTrajectory(protocol, 1, DeriveSeed(seed, drawn++)));
+    AddRollout(crop, protocol, 1,
+               DrawTrajectory(protocol, 1, DeriveSeed(seed, drawn++),
+                              RandomSteps(options.rivals.footprint)));
   };
   const std::vector<Displacement> half = DrawTrajectory(0, count, seed);
   for (std::size_t c = 0; c < this->crops().size(); ++c) {
@@ -62,10 +64,10 @@ WarpObjective::WarpObjective(std::vector<BorderedPlane> crops, const std::vector
     ScaleBaselines(*like);
     return;
   }
-  const std::vector<Rival> rivals = JudgeRivals(*this, options.largest_side);
+  const std::vector<Rival> rivals = JudgeRivals(*this, options.rivals);
   const Rival& yardstick = BestRival(rivals, count - 1);
   std::vector<double> baselines = LeastLosses(rivals);
-  if (!(options.largest_side > 0)) {
+  if (options.rivals.HasKeys()) {
     std::copy_n(yardstick.losses.begin(), count, baselines.begin());
     std::copy(yardstick.losses.begin() + static_cast<std::ptrdiff_t>(pan) - 1,
               yardstick.losses.end(), baselines.begin() + static_cast<std::ptrdiff_t>(pan) - 1);

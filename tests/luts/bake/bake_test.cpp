@@ -65,7 +65,7 @@ TEST(Bake, JsonTellsWhatMadeTheTable) {
   EXPECT_EQ(json["storage"], "i16");
   EXPECT_EQ(json["fraction_bits"], 14);
   EXPECT_EQ(json["values"].size(), static_cast<std::size_t>(kTableValues));
-  EXPECT_EQ(json["values"][kIdentityWeight], 1 << 14);
+  EXPECT_EQ(json["values"][5], 1 << 14);
   EXPECT_EQ(json["provenance"]["horizons"], (std::vector<int>{6, 12, 20}));
   EXPECT_EQ(json["provenance"]["data"][0]["sha1"], std::string(40, 'a'));
 }

@@ -93,7 +93,7 @@ TEST_F(TableIoTest, ReleasedLayoutPutsTapsInTiles) {
     float sum = 0;
     for (int ky = 0; ky < 4; ++ky) {
       for (int kx = 0; kx < 4; ++kx) {
-        EXPECT_NEAR(image.at(kx * 32 + ix, ky * 32 + jy), w[WeightIndex(kx, ky)], 1e-6);
+        EXPECT_NEAR(image.at(kx * 32 + ix, ky * 32 + jy), w[TapWeight(kx - 1, ky - 1)], 1e-6);
         sum += image.at(kx * 32 + ix, ky * 32 + jy);
       }
     }

@@ -36,9 +36,10 @@ double AmplitudeAfter(const Weights<double>& w, double fx, double fy, int warps)
       std::vector<double> y(x.size());
       for (int row = n; row < side - 2 * n; ++row) {
         for (int col = n; col < side - 2 * n; ++col) {
-          std::array<double, kWeights> texels;
-          for (int k = 0; k < kWeights; ++k) texels[k] = x[(row + TapY(k)) * side + col + TapX(k)];
-          y[row * side + col] = ApplyWeights(w, texels);
+          std::array<double, kWeights> texels{};
+          for (const int k : TapsOf(Footprint::k16))
+            texels[k] = x[(row + TapY(k)) * side + col + TapX(k)];
+          y[row * side + col] = ApplyWeights(Footprint::k16, w, texels);
         }
       }
       x = y;

@@ -58,16 +58,16 @@ TEST_P(HeadTest, NeighbouringCellsMeet) {
   for (double d = 0; d <= 1; d += 0.125) {
     const Weights<double> left = At(0, d);
     const Weights<double> right = At(1, d);
-    for (int ky = 0; ky < kTaps; ++ky) {
-      for (int kx = 0; kx < kTaps; ++kx) {
-        if (kx != 1) {
-          EXPECT_EQ(left[WeightIndex(kx, ky)], 0);
-        }
-        if (kx != 2) {
-          EXPECT_EQ(right[WeightIndex(kx, ky)], 0);
-        }
+    for (int k = 0; k < kWeights; ++k) {
+      if (TapX(k) != 0) {
+        EXPECT_EQ(left[k], 0);
       }
-      EXPECT_NEAR(left[WeightIndex(1, ky)], right[WeightIndex(2, ky)], 1e-10 * (1 + GetParam()));
+      if (TapX(k) != 1) {
+        EXPECT_EQ(right[k], 0);
+      }
+      if (TapX(k) == 0) {
+        EXPECT_NEAR(left[k], right[k + 1], 1e-10 * (1 + GetParam()));
+      }
     }
   }
 }
@@ -99,20 +99,26 @@ TEST(Filters, AppliesWeightsInOrder) {
   std::array<double, kWeights> texels{};
   for (int k = 0; k < kWeights; ++k) {
     w[k] = k;
-    texels[k] = 1 << k;
+    texels[k] = std::ldexp(1.0, k);
   }
-  double expected = 0;
-  for (int k = 0; k < kWeights; ++k) expected += k * (1 << k);
-  EXPECT_EQ(ApplyWeights(w, texels), expected);
+  for (const Footprint footprint : kFootprints) {
+    double expected = 0;
+    for (const int k : TapsOf(footprint)) expected += k * std::ldexp(1.0, k);
+    EXPECT_EQ(ApplyWeights(footprint, w, texels), expected);
+  }
 }
 
 TEST(Symmetry, MovesTapsAsItMovesOffsets) {
-  // A tap at the position of the offset stays there: (tap + 1) / 3 is an offset in [0, 1].
+  // A tap at the position of the offset stays there: (tap + 2) / 5 is an offset in [0, 1].
   for (int g = 0; g < kSymmetries; ++g) {
     for (int k = 0; k < kWeights; ++k) {
-      const auto [x, y] = MapOffset(g, (k % kTaps) / 3.0, (k / kTaps) / 3.0);
-      EXPECT_EQ(MapWeight(g, k), WeightIndex(static_cast<int>(std::lround(3 * x)),
-                                             static_cast<int>(std::lround(3 * y))));
+      const auto [x, y] = MapOffset(g, (TapX(k) + 2) / 5.0, (TapY(k) + 2) / 5.0);
+      EXPECT_EQ(MapWeight(g, k), TapWeight(static_cast<int>(std::lround(5 * x)) - 2,
+                                           static_cast<int>(std::lround(5 * y)) - 2));
+      for (const Footprint footprint : kFootprints) {
+        EXPECT_EQ(HasTap(footprint, TapX(MapWeight(g, k)), TapY(MapWeight(g, k))),
+                  HasTap(footprint, TapX(k), TapY(k)));
+      }
     }
   }
 }

@@ -63,24 +63,24 @@ TEST_P(QuantizeTest, ErrorIsAtMostOneUnitPerWeight) {
   const BakedTable table = Quantize(real_, GetParam());
   const double unit = std::ldexp(1.0, -FractionBits(GetParam()));
   const double error = QuantizationError(real_, table.view());
-  EXPECT_LT(error, 0.5 * kWeights * unit);
+  EXPECT_LT(error, 0.5 * TapCount(Footprint::k16) * unit);
   EXPECT_GT(error, 0);
 }
 
 TEST_P(QuantizeTest, RoundsAnAsymmetricTableNodeForNode) {
   RealTable real = real_;
-  real.rows[real.RowAt(3, 5)][5] += 0.25;
-  real.rows[real.RowAt(3, 5)][6] -= 0.25;
+  real.rows[real.RowAt(3, 5)][TapWeight(0, 0)] += 0.25;
+  real.rows[real.RowAt(3, 5)][TapWeight(1, 0)] -= 0.25;
   const BakedTable table = Quantize(real, GetParam());
   EXPECT_EQ(SentenceOf([&] { CheckTable(table.view(), "table"); }), "");
   EXPECT_LT(QuantizationError(real, table.view()),
-            kWeights * std::ldexp(0.5, -FractionBits(GetParam())));
+            TapCount(Footprint::k16) * std::ldexp(0.5, -FractionBits(GetParam())));
 }
 
 TEST_P(QuantizeTest, RefusesWhatItCannotHold) {
   const auto sentence = [&](double value) {
     RealTable real = real_;
-    real.rows[real.RowAt(3, 5)][6] = value;
+    real.rows[real.RowAt(3, 5)][TapWeight(1, 0)] = value;
     return SentenceOf([&] { Quantize(real, GetParam()); });
   };
   EXPECT_THAT(sentence(2.5),
@@ -90,7 +90,7 @@ TEST_P(QuantizeTest, RefusesWhatItCannotHold) {
               HasSubstr("is nan, expected a finite number"));
   EXPECT_THAT(sentence(1.5), HasSubstr("test_fit: the weights of node (3, 5) sum to"));
   RealTable real = real_;
-  real.rows[real.RowAt(0, 5)][6] = 0.5;
+  real.rows[real.RowAt(0, 5)][TapWeight(1, 0)] = 0.5;
   EXPECT_THAT(
       SentenceOf([&] { Quantize(real, GetParam()); }),
       HasSubstr("weight 6 of node (0, 5) is 0.5, expected 0, as this offset is on the border"));
@@ -110,8 +110,9 @@ TEST(BakedTable, CheckNamesTheNode) {
   }
   const auto sentence = [&](int ix, int jy, int from, int to) {
     std::vector<IntegerRow> changed = stored;
-    changed[RowIndex(ix, jy)][from] -= 1;
-    if (to >= 0) changed[RowIndex(ix, jy)][to] += 1;
+    const FootprintTaps& taps = TapsOf(Footprint::k16);
+    changed[RowIndex(ix, jy)][taps[from]] -= 1;
+    if (to >= 0) changed[RowIndex(ix, jy)][taps[to]] += 1;
     const BakedTable table(TableFormat::kI16, changed);
     return SentenceOf([&] { CheckTable(table.view(), "t.json"); });
   };

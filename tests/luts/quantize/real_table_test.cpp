@@ -28,9 +28,9 @@ double WorstDifference(const RealTable& a, const RealTable& b) {
 TEST(RealTable, SamplesBothEnds) {
   const RealTable table = Keys(-0.5, 31);
   ASSERT_EQ(table.rows.size(), 32u * 32u);
-  EXPECT_EQ(table.Row(0, 0)[WeightIndex(1, 1)], 1);
-  EXPECT_EQ(table.Row(31, 31)[WeightIndex(2, 2)], 1);
-  EXPECT_EQ(table.Row(31, 0)[WeightIndex(2, 1)], 1);
+  EXPECT_EQ(table.Row(0, 0)[TapWeight(0, 0)], 1);
+  EXPECT_EQ(table.Row(31, 31)[TapWeight(1, 1)], 1);
+  EXPECT_EQ(table.Row(31, 0)[TapWeight(1, 0)], 1);
 }
 
 TEST(RealTable, ResamplingIsExactForKeysKernels) {
@@ -50,7 +50,7 @@ TEST(RealTable, ContractZerosAreTheBorderOfTheCell) {
   const RealTable table = SampleFit(MakeFit(0.2), 32);
   for (int jy = 0; jy <= 32; ++jy) {
     for (int ix = 0; ix <= 32; ++ix) {
-      for (int k = 0; k < kWeights; ++k) {
+      for (const int k : TapsOf(Footprint::k16)) {
         EXPECT_EQ(IsContractZero(false, 32, ix, jy, k), table.Row(ix, jy)[k] == 0)
             << ix << " " << jy << " " << k;
       }
@@ -62,11 +62,11 @@ TEST(RealTable, ContractZerosAndMirrorsWithAPrefilter) {
   const RealTable table = SampleFit(WithPrefilter(MakeFit(0.2)), 32);
   for (int jy = 0; jy <= 32; ++jy) {
     for (int ix = 0; ix <= 32; ++ix) {
-      for (int k = 0; k < kWeights; ++k) {
+      for (const int k : TapsOf(Footprint::k16)) {
         EXPECT_EQ(IsContractZero(true, 32, ix, jy, k), table.Row(ix, jy)[k] == 0)
             << ix << " " << jy << " " << k;
-        const int mirror = WeightIndex(MirroredTap(true, 32, ix, k % kTaps),
-                                       MirroredTap(true, 32, jy, k / kTaps));
+        const int mirror =
+            TapWeight(MirroredTap(true, 32, ix, TapX(k)), MirroredTap(true, 32, jy, TapY(k)));
         EXPECT_NEAR(table.Row(ix, jy)[k], table.Row(ix, jy)[mirror], 1e-14);
       }
     }

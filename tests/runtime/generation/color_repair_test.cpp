@@ -16,15 +16,18 @@ TEST(ColorRepair, TexelsThatAreNoNumbersCountAsZero) {
     image.Set(15, 2, 0, -std::numeric_limits<float>::infinity());
     clean.Set(7, 5, 1, 0);
     clean.Set(15, 2, 0, 0);
-    const WarpOptions options;
-    TestImage expected(24, 12, format), warped(24, 12, format);
-    WarpReference(clean.view(), motion.view(), options, expected.view());
-    WarpReference(image.view(), motion.view(), options, warped.view());
-    for (int y = 0; y < 12; ++y) {
-      RepairRow(image.view(), motion.view(), options, y, warped.view());
-      for (int x = 0; x < 24; ++x) {
-        for (int c = 0; c < 4; ++c) {
-          EXPECT_NEAR(warped.Get(x, y, c), expected.Get(x, y, c), 1e-3f) << x << " " << y;
+    const Table wide(MakeWideTable(TableFormat::kI16, Footprint::k24).view());
+    for (const WarpOptions& options :
+         {WarpOptions(), WarpOptions{.filter = Filter::kLut, .table = &wide}}) {
+      TestImage expected(24, 12, format), warped(24, 12, format);
+      WarpReference(clean.view(), motion.view(), options, expected.view());
+      WarpReference(image.view(), motion.view(), options, warped.view());
+      for (int y = 0; y < 12; ++y) {
+        RepairRow(image.view(), motion.view(), options, y, warped.view());
+        for (int x = 0; x < 24; ++x) {
+          for (int c = 0; c < 4; ++c) {
+            EXPECT_NEAR(warped.Get(x, y, c), expected.Get(x, y, c), 1e-3f) << x << " " << y;
+          }
         }
       }
     }

@@ -68,6 +68,30 @@ TEST(Reference, FastPassesAgree) {
   });
 }
 
+TEST(Reference, FastPassesAgreeWithTablesOfMoreTaps) {
+  ForEachTarget([] {
+    unsigned seed = 100;
+    for (const Footprint footprint : {Footprint::k24, Footprint::k36}) {
+      const Table table(MakeWideTable(TableFormat::kI16, footprint).view());
+      for (const auto& [width, height] : kSizes) {
+        const PixelFormat format = PixelFormat::kRgba32F;
+        const TestFrame frame0 = RandomFrame(width, height, format, ++seed);
+        const TestFrame frame1 = RandomFrame(width, height, format, ++seed);
+        for (const bool interpolates : {true, false}) {
+          const auto run = [&](bool reference) {
+            FrameGenerationOptions options = OptionsFor(frame0);
+            options.warp = {.filter = Filter::kLut, .table = &table};
+            options.reference = reference;
+            return Generate(options, frame0.view(), frame1.view(), 0.3f, interpolates, format);
+          };
+          EXPECT_LE(Difference(run(false), run(true)), 0.3f)
+              << TapCount(footprint) << " taps, " << width << " x " << height;
+        }
+      }
+    }
+  });
+}
+
 struct Passes {
   std::vector<float> forward, from0, from1;
   std::vector<float> own0, own1;  // without splatting

@@ -95,6 +95,24 @@ TEST(FastPasses, EqualTheReferenceAtEveryScaleAndSize) {
   });
 }
 
+TEST(FastPasses, EqualTheReferenceWithTablesOfMoreTaps) {
+  ForEachTarget([] {
+    for (const Footprint footprint : {Footprint::k24, Footprint::k36}) {
+      const Table table(MakeWideTable(TableFormat::kI16, footprint).view());
+      for (const Lookup lookup : {Lookup::kNearest, Lookup::kBilinear}) {
+        for (const Grid& g : {Grid{1, 1, 4, 3}, {3, 3, 6, 6}, {45, 27, 90, 54}}) {
+          SCOPED_TRACE(testing::Message() << TapCount(footprint) << " taps, " << g.output_width
+                                          << " x " << g.output_height);
+          SuperResolutionOptions options =
+              TestOptions(g.render_width, g.render_height, g.output_width, g.output_height);
+          options.warp = {.filter = Filter::kLut, .table = &table, .lookup = lookup};
+          ExpectEqual(options, kHalfTolerance);
+        }
+      }
+    }
+  });
+}
+
 TEST(FastPasses, EqualTheReferenceInEveryMode) {
   const SuperResolutionOptions base = TestOptions(41, 21, 70, 52);
   std::vector<SuperResolutionOptions> list;

@@ -44,15 +44,26 @@ int CountDifferent(const TestImage& fast, const TestImage& reference, float larg
   return different;
 }
 
-// A filter that reads samples and one that reads coefficients.
-constexpr WarpOptions kBothKinds[] = {{.filter = Filter::kCatmullRom}, {.filter = Filter::kSpline}};
+// A filter that reads samples, one that reads coefficients, and tables of more taps.
+const std::vector<WarpOptions>& KindsOfFilters() {
+  static const Table wide_tables[] = {
+      Table(MakeWideTable(TableFormat::kI16, Footprint::k24).view()),
+      Table(MakeWideTable(TableFormat::kI16, Footprint::k36).view())};
+  static const std::vector<WarpOptions> kinds = {
+      {.filter = Filter::kCatmullRom},
+      {.filter = Filter::kSpline},
+      {.filter = Filter::kLut, .table = &wide_tables[0]},
+      {.filter = Filter::kLut, .table = &wide_tables[1]}};
+  return kinds;
+}
 
 class WarpAccuracy : public testing::TestWithParam<PixelFormat> {};
 
 TEST_P(WarpAccuracy, RandomMotionOfEverySize) {
   const TestTable stored = MakeKeysTable(TableFormat::kI16);
   const Table table(stored.view());
-  for (const Size size : {Size{1, 1}, {3, 3}, {17, 5}, {4, 64}, {64, 4}, {131, 37}}) {
+  for (const Size size :
+       {Size{1, 1}, {3, 3}, {17, 5}, {4, 64}, {64, 4}, {131, 37}, {5, 6}, {6, 5}}) {
     for (const int padding : {0, 48}) {
       TestImage history(size.width, size.height, GetParam(), padding);
       history.Randomise(1);
@@ -112,7 +123,7 @@ TEST_P(WarpAccuracy, UniformMotionOfNarrowAndLowImages) {
       SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", motion " +
                    std::to_string(mx));
       const TestMotion motion(size.width, size.height, mx, 0.7f);
-      for (const WarpOptions& options : kBothKinds) {
+      for (const WarpOptions& options : KindsOfFilters()) {
         const TestHistory read(history, options);
         TestImage reference(size.width, size.height, GetParam());
         read.ReferenceTo(motion.view(), options, reference);
@@ -172,7 +183,7 @@ TEST_P(WarpAccuracy, MotionThatIsNotFiniteOrFarOrTiny) {
   for (int i = 0; i < kCount * kCount; ++i) {
     for (int y = 0; y < 9; ++y) motion.Set(i, y, kUnusual[i % kCount], kUnusual[i / kCount]);
   }
-  for (const WarpOptions& options : kBothKinds) {
+  for (const WarpOptions& options : KindsOfFilters()) {
     const TestHistory read(history, options);
     TestImage reference(kCount * kCount, 9, GetParam());
     read.ReferenceTo(motion.view(), options, reference);
@@ -223,7 +234,7 @@ TEST_P(WarpAccuracy, RowsInPartsAndTilesGivenAreTheSameBits) {
   TestMotion motion(kWidth, kHeight, 0.3f, 0.7f);
   for (int y = kTileHeight; y < kTileHeight + 20; ++y) motion.Set(70, y, 1.5f, 0.1f * y);
   ForEachTarget([&] {
-    for (const WarpOptions& options : kBothKinds) {
+    for (const WarpOptions& options : KindsOfFilters()) {
       const TestHistory read(history, options);
       TestImage whole(kWidth, kHeight, GetParam());
       read.WarpTo(motion.view(), options, whole);
@@ -257,7 +268,9 @@ TEST(WarpAccuracyRgba8, NearestLookupIsExactOnEveryTarget) {
       const TestHistory read(history, filter.options);
       TestImage reference(200, 120, PixelFormat::kRgba8);
       read.ReferenceTo(motion.view(), filter.options, reference);
-      const bool exact = filter.name == "lut nearest" && format != TableFormat::kF32;
+      const bool exact = filter.options.filter == Filter::kLut &&
+                         filter.options.lookup == Lookup::kNearest &&
+                         !HasPrefilter(PrefilterOf(filter.options)) && format != TableFormat::kF32;
       ForEachTarget([&] {
         TestImage fast(200, 120, PixelFormat::kRgba8);
         read.WarpTo(motion.view(), filter.options, fast);

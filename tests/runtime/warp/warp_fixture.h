@@ -172,7 +172,7 @@ class TestHistory {
 };
 
 // Every filter of the registry. Those that need a table come with both lookups, each also with a
-// table that has a prefilter.
+// table that has a prefilter, and with tables of more taps.
 struct TestFilter {
   std::string name;
   WarpOptions options;
@@ -181,6 +181,9 @@ struct TestFilter {
 inline std::vector<TestFilter> TestFilters(const Table* table) {
   static const TestTable stored_spline = MakeSplineTable(TableFormat::kI16, kOMomsK / 2);
   static const Table spline_table(stored_spline.view());
+  static const Table wide_tables[] = {
+      Table(MakeWideTable(TableFormat::kI16, Footprint::k24).view()),
+      Table(MakeWideTable(TableFormat::kI16, Footprint::k36).view())};
   std::vector<TestFilter> filters;
   for (const FilterInfo& info : kFilters) {
     WarpOptions options;
@@ -197,6 +200,12 @@ inline std::vector<TestFilter> TestFilters(const Table* table) {
       filters.push_back({std::string(info.name) + " " + Name(lookup), options});
       options.table = &spline_table;
       filters.push_back({std::string("prefiltered ") + info.name + " " + Name(lookup), options});
+      for (const Table& wide : wide_tables) {
+        options.table = &wide;
+        filters.push_back({std::string(info.name) + " " +
+                               std::to_string(TapCount(wide.footprint())) + " " + Name(lookup),
+                           options});
+      }
     }
   }
   return filters;

@@ -22,7 +22,7 @@ TEST(SixTaps, SumToOneAndMirror) {
   for (const float b : {0.0f, 4.5f, kLargestKaiser}) {
     for (int i = 0; i <= 16; ++i) {
       const float d = static_cast<float>(i) / 16;
-      const SixTaps taps = KaiserTaps(b, d), mirrored = KaiserTaps(b, 1 - d);
+      const SixTaps taps = KaiserSixTaps(b, d), mirrored = KaiserSixTaps(b, 1 - d);
       EXPECT_NEAR(Sum(taps), 1, 1e-6) << b << " at " << d;
       for (int k = 0; k < kSixTaps; ++k) {
         EXPECT_NEAR(taps[k], mirrored[kSixTaps - 1 - k], 2e-6) << b << " at " << d;
@@ -37,7 +37,7 @@ TEST(SixTaps, SumToOneAndMirror) {
 TEST(SixTaps, NoFractionIsTheTexelItself) {
   const SixTaps texel = {0, 0, 1, 0, 0, 0};
   EXPECT_EQ(LanczosTaps(0), texel);
-  EXPECT_EQ(KaiserTaps(4.5f, 0), texel);
+  EXPECT_EQ(KaiserSixTaps(4.5f, 0), texel);
 }
 
 // The plain formulas, in double.
@@ -55,7 +55,7 @@ TEST(SixTaps, AreWindowedSincs) {
     }
     for (int k = 0; k < kSixTaps; ++k) {
       EXPECT_NEAR(LanczosTaps(static_cast<float>(d))[k], lanczos[k] / lanczos_sum, 1e-6);
-      EXPECT_NEAR(KaiserTaps(kB, static_cast<float>(d))[k], kaiser[k] / kaiser_sum, 1e-6);
+      EXPECT_NEAR(KaiserSixTaps(kB, static_cast<float>(d))[k], kaiser[k] / kaiser_sum, 1e-6);
     }
   }
 }

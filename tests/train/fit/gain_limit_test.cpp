@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "luts/certificate/certificate.h"
+#include "train/fit/kaiser_family.h"
 #include "train/fit/mlp_objective.h"
 #include "train/fit/spline_family.h"
 #include "train/fit/train_options.h"
@@ -42,6 +43,21 @@ TEST(GainLimit, LeavesWhatKeepsItAlone) {
   const std::vector<double> before = parameters;
   EXPECT_EQ(LimitGain(1.01, model, parameters), 1);
   EXPECT_EQ(parameters, before);
+}
+
+TEST(GainLimit, BoundsMoreTaps) {
+  for (const Footprint footprint : {Footprint::k24, Footprint::k36}) {
+    ResamplerModel model(footprint, 6);
+    ASSERT_LE(LargestNodeGain(WideBase(footprint, 6)), 1.01);
+    for (const double size : {1e-3, 1.0, 100.0}) {
+      std::vector<double> parameters = RandomParameters(3, footprint);
+      for (double& p : parameters) p *= size;
+      const double before = LargestNodeGain(model.ForwardStored(parameters.data()));
+      const double share = LimitGain(1.0109, model, parameters);
+      EXPECT_LE(LargestNodeGain(model.ForwardStored(parameters.data())), 1.0109 + 1e-12);
+      EXPECT_EQ(share<1, before> 1.0109) << size;
+    }
+  }
 }
 
 TEST(GainLimit, BoundsTheProductWithThePrefilter) {

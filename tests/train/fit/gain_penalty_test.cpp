@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "luts/filters.h"
+#include "train/fit/kaiser_family.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/spline_family.h"
 
@@ -47,6 +48,25 @@ TEST(GainPenalty, GradientEqualsDifferences) {
       weights[c][k] = saved;
       EXPECT_NEAR(gradient.weights[c][k], (above - below) / h,
                   1e-5 * (1 + std::abs(gradient.weights[c][k])));
+    }
+  }
+}
+
+TEST(GainPenalty, OfMoreTapsGradientEqualsDifferences) {
+  for (const Footprint footprint : {Footprint::k24, Footprint::k36}) {
+    const GainPenalty penalty(1.0001, footprint);
+    Resampler at = WideBase(footprint, 2), gradient, unused;
+    EXPECT_GT(penalty.AddGradient(at, 2, gradient), 0);
+    for (const int k : TapsOf(footprint)) {
+      double& number = at.weights[kCanonicalNodes - 1][k];
+      const double saved = number, h = 1e-6;
+      number = saved + h;
+      const double above = penalty.AddGradient(at, 0, unused);
+      number = saved - h;
+      const double below = penalty.AddGradient(at, 0, unused);
+      number = saved;
+      const double analytic = gradient.weights[kCanonicalNodes - 1][k];
+      EXPECT_NEAR(analytic, (above - below) / h, 1e-5 * (1 + std::abs(analytic)));
     }
   }
 }

@@ -20,17 +20,30 @@ TEST(CanonicalNodes, EveryNodeMapsToItsCanonicalOne) {
   }
 }
 
-TEST(HeadBatch, EqualsTheSlowHeadAtEveryNode) {
+constexpr double kKaiser = 4.5;
+
+HeadBatch BatchOf(Footprint footprint) {
+  return footprint == Footprint::k16 ? HeadBatch() : HeadBatch(footprint, kKaiser);
+}
+
+class HeadBatchOf : public testing::TestWithParam<Footprint> {};
+INSTANTIATE_TEST_SUITE_P(Taps, HeadBatchOf, testing::ValuesIn(kFootprints),
+                         [](const auto& test) { return std::to_string(TapCount(test.param)); });
+
+TEST_P(HeadBatchOf, EqualsTheSlowHeadAtEveryNode) {
   for (const double size : {0.1, 1.0, 30.0}) {
-    std::vector<double> parameters = RandomParameters(7);
+    std::vector<double> parameters = RandomParameters(7, GetParam());
     for (double& p : parameters) p *= size;
-    HeadBatch batch;
+    HeadBatch batch = BatchOf(GetParam());
     const auto& weights = batch.Forward(parameters.data());
     for (int jy = 0; jy <= kNodes; jy += 3) {
       for (int ix = 0; ix <= kNodes; ++ix) {
         const CanonicalNode node = ToCanonical(ix, jy);
+        const double dx = NodeOffset(ix), dy = NodeOffset(jy);
         const Weights<double> expected =
-            HeadWeights(parameters.data(), NodeOffset(ix), NodeOffset(jy));
+            GetParam() == Footprint::k16
+                ? HeadWeights(parameters.data(), dx, dy)
+                : HeadWeights(GetParam(), kKaiser, parameters.data(), dx, dy);
         for (int k = 0; k < kWeights; ++k) {
           EXPECT_NEAR(weights[node.index][MapWeight(node.symmetry, k)], expected[k], 1e-12 * size);
         }
@@ -39,15 +52,15 @@ TEST(HeadBatch, EqualsTheSlowHeadAtEveryNode) {
   }
 }
 
-TEST(HeadBatch, BackwardEqualsDifferences) {
-  std::vector<double> parameters = RandomParameters(3);
+TEST_P(HeadBatchOf, BackwardEqualsDifferences) {
+  std::vector<double> parameters = RandomParameters(3, GetParam());
   for (double& p : parameters) p *= 1.5;
   CanonicalWeights<double> factors{};
   Random random(5);
   for (auto& node : factors) {
     for (double& f : node) f = random.Uniform() - 0.5;
   }
-  HeadBatch batch;
+  HeadBatch batch = BatchOf(GetParam());
   const auto loss = [&] {
     const auto& weights = batch.Forward(parameters.data());
     double sum = 0;
@@ -57,9 +70,10 @@ TEST(HeadBatch, BackwardEqualsDifferences) {
     return sum;
   };
   loss();
-  std::vector<double> gradient(kMlpParameters);
+  const int size = MlpParameters(GetParam());
+  std::vector<double> gradient(size);
   batch.Backward(parameters.data(), factors, gradient.data());
-  for (int p = 0; p < kMlpParameters; p += 61) {
+  for (int p = 0; p < size; p += 61) {
     const double saved = parameters[p];
     const double h = 1e-5;
     parameters[p] = saved + h;

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "train/fit/kaiser_family.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/noise_image.h"
 #include "train/fit/spline_family.h"
@@ -87,7 +88,8 @@ TEST(Rollout, GradientEqualsDifferences) {
     };
     for (const std::size_t step : {0u, 3u, 7u}) {
       const int node = c.rollout.steps[step].node.index;
-      for (const int k : {0, 5, 6, 10, 13}) {
+      for (const int i : {0, 5, 6, 10, 13}) {
+        const int k = TapsOf(Footprint::k16)[i];
         const double saved = weights[node][k];
         const double h = 1e-3;
         weights[node][k] = saved + h;
@@ -99,6 +101,35 @@ TEST(Rollout, GradientEqualsDifferences) {
         EXPECT_NEAR(gradient.weights[node][k], expected, 0.01 * std::abs(expected) + 2e-3)
             << with_samples << " " << step << " " << k;
       }
+    }
+  }
+}
+
+// Of every tap.
+TEST(Rollout, OfMoreTapsGradientEqualsDifferences) {
+  for (const Footprint footprint : {Footprint::k24, Footprint::k36}) {
+    Case c;
+    Resampler at = WideBase(footprint, 4.5), gradient;
+    const std::array<double, 2> factors = {1.0, 0.5};
+    const auto total = [&] {
+      std::array<double, 2> losses{};
+      c.workspace.Forward(c.rollout, at, losses);
+      return factors[0] * losses[0] + factors[1] * losses[1];
+    };
+    total();
+    c.workspace.Backward(c.rollout, factors, at, gradient);
+    const int node = c.rollout.steps[3].node.index;
+    for (const int k : TapsOf(footprint)) {
+      double& number = at.weights[node][k];
+      const double saved = number, h = 1e-3;
+      number = saved + h;
+      const double above = total();
+      number = saved - h;
+      const double below = total();
+      number = saved;
+      const double expected = (above - below) / (2 * h);
+      EXPECT_NEAR(gradient.weights[node][k], expected, 0.01 * std::abs(expected) + 2e-3)
+          << TapCount(footprint) << " " << k;
     }
   }
 }
@@ -129,7 +160,10 @@ TEST(Rollout, WithAPrefilterGradientEqualsDifferences) {
       };
       for (const std::size_t step : {0u, 7u}) {
         const int node = c.rollout.steps[step].node.index;
-        for (const int k : {0, 5, 10}) compare(gradient.weights[node][k], at.weights[node][k]);
+        for (const int i : {0, 5, 10}) {
+          const int k = TapsOf(Footprint::k16)[i];
+          compare(gradient.weights[node][k], at.weights[node][k]);
+        }
       }
       if (prefilter.reach == 0) compare(gradient.prefilter.side, at.prefilter.side);
       for (int j = 0; j <= prefilter.reach && prefilter.reach > 0; ++j) {

@@ -71,6 +71,18 @@ TEST(TrainOptions, PrefiltersHaveNames) {
   }
 }
 
+TEST(TrainOptions, MoreTapsStandAlone) {
+  TrainOptions options;
+  options.footprint = Footprint::k24;
+  std::string why;
+  EXPECT_FALSE(options.IsValid(&why));
+  EXPECT_EQ(why, "taps is 24 with prefilter iir; expected prefilter none with more than 16 taps.");
+  options.prefilter = TrainPrefilter::kNone;
+  EXPECT_TRUE(options.IsValid(&why));
+  EXPECT_NE(options.Resolved().Json().find("\"taps\":24"), std::string::npos);
+  EXPECT_EQ(TrainOptions().Resolved().Json().find("taps"), std::string::npos);
+}
+
 TEST(TrainOptions, EachBadValueIsNamed) {
   const std::vector<std::pair<std::string, std::function<void(TrainOptions&)>>> cases = {
       {"scale", [](TrainOptions& o) { o.scale = 0.9; }},

@@ -11,7 +11,10 @@
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 #include "train/fit/crops.h"
+#include "train/fit/gain_limit.h"
+#include "train/fit/kaiser_family.h"
 #include "train/fit/noise_image.h"
+#include "train/fit/spline_family.h"
 
 namespace warplut {
 namespace {
@@ -84,6 +87,32 @@ TEST(Trainer, ObjectiveSrBeatsCatmullRomInItsLoopAndIsRecorded) {
     if (score.filter == "catmull-rom") catmull_rom += score.ssim;
   }
   EXPECT_GT(lut, catmull_rom);
+}
+
+TEST(Trainer, OfMoreTapsStaysWithinTheGainAndKeepsWhatItStartsFrom) {
+  for (const Footprint footprint : {Footprint::k24, Footprint::k36}) {
+    TrainOptions options = Small();
+    options.footprint = footprint;
+    options.prefilter = TrainPrefilter::kNone;
+    TrainResult result = Train(options, Images());
+    result.fit.name = "test";
+    std::string why;
+    EXPECT_TRUE(result.fit.IsValid(&why)) << why;
+    EXPECT_EQ(result.fit.footprint, footprint);
+    EXPECT_GE(result.fit.kaiser_b, kFirstKaiser);
+    EXPECT_LE(result.fit.kaiser_b, kLastKaiser);
+    double lut = 0, kaiser = 0, catmull_rom = 0;
+    for (const FitScore& score : result.fit.validation) {
+      if (score.filter == "lut") lut += score.ssim;
+      if (score.filter == "kaiser6-4.5") kaiser += score.ssim;
+      if (score.filter == "catmull-rom") catmull_rom += score.ssim;
+    }
+    EXPECT_GT(kaiser, catmull_rom);
+    EXPECT_GT(lut, catmull_rom);
+    ResamplerModel model(footprint, result.fit.kaiser_b);
+    EXPECT_LE(LargestNodeGain(model.Forward(result.fit.parameters.data())),
+              LargestGain(DefaultGainBound(options.horizons.back())) + 1e-12);
+  }
 }
 
 TEST(Trainer, SameBitsForAnyNumberOfThreads) {
