@@ -58,7 +58,7 @@ PixelFormat ColorFormat(const Sequence& sequence, int first, int count, Streams 
 }
 
 // Limits what lies beyond kLargestHdr and counts it.
-std::int64_t LimitHdr(Image& linear) {
+std::int64_t LimitColor(Image& linear) {
   std::int64_t limited = 0;
   for (float& value : linear.data) {
     if (std::abs(value) <= kLargestHdr) continue;
@@ -203,8 +203,8 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
     out.number = frame.number;
     out.jitter = frame.jitter;
     if (clip.encoding == ColorEncoding::kLinearHdr) {
-      limited_color += LimitHdr(frame.color);
-      limited_reference += LimitHdr(frame.reference);
+      limited_color += LimitColor(frame.color);
+      limited_reference += LimitColor(frame.reference);
     }
     if (Contains(which, Streams::kColor)) out.color = ToBuffer(frame.color, color_format);
     if (Contains(which, Streams::kReference)) {
