@@ -26,4 +26,12 @@ inline std::string FootprintNames() {
   return names;
 }
 
+// The sentence why the two do not go together: a prefilter belongs to 16 taps. "" if they do.
+inline std::string FootprintFault(Footprint footprint, const Prefilter& prefilter) {
+  if (footprint == Footprint::k16 || !HasPrefilter(prefilter)) return "";
+  return "has " + std::to_string(TapCount(footprint)) +
+         " taps and a prefilter; expected none but with " +
+         std::to_string(TapCount(Footprint::k16)) + " taps";
+}
+
 }  // namespace warplut

@@ -13,6 +13,7 @@
 #include "datasets/json_fields.h"
 #include "luts/fit/json_header.h"
 #include "luts/fit/prefilter_json.h"
+#include "luts/footprint_names.h"
 #include "luts/wide_kernel.h"
 
 namespace warplut {

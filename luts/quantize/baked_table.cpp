@@ -7,6 +7,7 @@
 
 #include "datasets/error.h"
 #include "luts/filters.h"
+#include "luts/footprint_names.h"
 #include "luts/half.h"
 #include "luts/quantize/real_table.h"
 
@@ -132,12 +133,6 @@ Weights<double> RealRow(const IntegerRow& row, TableFormat format) {
   Weights<double> w;
   for (int k = 0; k < kWeights; ++k) w[k] = std::ldexp(row[k], -FractionBits(format));
   return w;
-}
-
-std::string FootprintFault(Footprint footprint, const Prefilter& prefilter) {
-  if (footprint == Footprint::k16 || !HasPrefilter(prefilter)) return "";
-  return fmt::format("has {} taps and a prefilter; expected none but with {} taps",
-                     TapCount(footprint), TapCount(Footprint::k16));
 }
 
 void CheckTable(const TableView& view, const std::string& name) {

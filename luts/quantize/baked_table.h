@@ -42,9 +42,6 @@ std::vector<IntegerRow> TableIntegers(const TableView& view, const std::string& 
 // The weights of an integer row.
 Weights<double> RealRow(const IntegerRow& row, TableFormat format);
 
-// The sentence why the two do not go together: a prefilter belongs to 16 taps. "" if they do.
-std::string FootprintFault(Footprint footprint, const Prefilter& prefilter);
-
 // Checks the contract: a valid prefilter, of 16 taps alone; every row sums to exactly 1; row (0, 0) belongs to the
 // prefilter (without one it is the identity); and the zeros and equal weights of nodes with dx = 0 or dy = 0. An Error
 // names `name`, the node, what was found (the sum, or the weight) and what was expected.
