@@ -5,8 +5,7 @@
 //   r(d)    = M(d) F(d), the residual: M masks each tap so that the residual vanishes where the contract
 //           wants zeros (outer taps fade with 4 d (1 - d), inner ones with the distance to the other inner tap)
 //   w(d)    = C(d) + r(d) - m B(d) - m_x G_x(d) - m_y G_y(d), with C Catmull-Rom and B bilinear
-//           weights. Of 24 and 36 taps C are the weights of their wide kernel (luts/wide_kernel.h),
-//           less what its own first moments about d take from them
+//           weights
 //
 // m is the sum of r; m_x and m_y are its first moments about d, the sums of r_k (tap_k - d). G_x is the difference
 // (0, -1, 1, 0) along x times the bilinear weights along y: it sums to 0 and has first moment 1; G_y alike.
@@ -14,6 +13,9 @@
 // Hence, for any parameters: the 8 symmetries hold; the weights sum to 1; their first moment is d, so that a ramp is
 // moved by exactly d and nothing drifts when the same offset repeats (a pan); d = 0 is the identity; and a node with
 // dx = 0 (dy = 0) has weights in one column (row) only, so that neighbouring cells meet without a seam.
+//
+// Of 24 and 36 taps C are the weights of their wide kernel (luts/wide_kernel.h), and m_x and m_y are left out: what
+// closes the first moment of weights that reach so far costs more at the frequencies that images have than it gains.
 //
 // With a prefilter of side s (luts/prefilter.h) C is the spline of that side in place of Catmull-Rom, and
 //
@@ -78,17 +80,8 @@ class HeadAt {
 
   // Of 24 or 36 taps, with this `kernel` of theirs (WideWeights) at the offset.
   HeadAt(Footprint footprint, const Weights<double>& kernel, T dx, T dy)
-      : footprint_(footprint),
-        mask_(HeadMask(footprint, dx, dy)),
-        even_(BilinearWeights(dx, dy)),
-        step_x_(Separable(kStep, BilinearTaps(dy))),
-        step_y_(Separable(BilinearTaps(dx), kStep)) {
-    SetMoments(dx, dy);
-    // Closed as a residual to the bilinear weights, which keep sum and moments.
-    Weights<T> residual{};
-    for (const int k : TapsOf(footprint_)) residual[k] = T(kernel[k]) - even_[k];
-    base_ = even_;
-    base_ = Closed(residual);
+      : footprint_(footprint), mask_(HeadMask(footprint, dx, dy)), even_(BilinearWeights(dx, dy)) {
+    for (const int k : TapsOf(footprint)) base_[k] = T(kernel[k]);
   }
 
   // With a prefilter of this side.
@@ -193,7 +186,7 @@ class HeadAt {
 
   bool prefiltered_ = false;
   Footprint footprint_ = Footprint::k16;
-  Weights<T> base_{}, mask_{}, even_, step_x_, step_y_, from_x_{}, from_y_{}, base_slope_{};
+  Weights<T> base_{}, mask_{}, even_{}, step_x_{}, step_y_{}, from_x_{}, from_y_{}, base_slope_{};
   HeadMatrix<T> spread_x_{}, spread_y_{};
 };
 

@@ -1,49 +1,34 @@
 #include "train/fit/kaiser_family.h"
 
+#include <limits>
+
 #include "luts/fit/head.h"
+#include "luts/wide_kernel.h"
 #include "train/fit/golden_section.h"
 #include "train/fit/spline_family.h"
 
 namespace warplut {
-namespace {
-
-constexpr int kHalvings = 14;
-
-}  // namespace
-
-Resampler KaiserResampler(double b) {
-  Resampler kaiser({}, {}, Footprint::k36);
-  for (int c = 0; c < kCanonicalNodes; ++c) {
-    const auto [i, j] = CanonicalPosition(c);
-    kaiser.weights[c] = WideWeights(Footprint::k36, b, NodeOffset(i), NodeOffset(j));
-  }
-  return kaiser;
-}
 
 Resampler WideBase(Footprint footprint, double b) {
   Resampler base({}, {}, footprint);
   for (int c = 0; c < kCanonicalNodes; ++c) {
     const auto [i, j] = CanonicalPosition(c);
-    const double dx = NodeOffset(i), dy = NodeOffset(j);
-    base.weights[c] =
-        HeadAt<double>(footprint, WideWeights(footprint, b, dx, dy), dx, dy).Forward({});
+    base.weights[c] = WideWeights(footprint, b, NodeOffset(i), NodeOffset(j));
   }
   return base;
 }
 
-double LeastKaiser(Footprint footprint, double limit) {
-  const auto keeps = [&](double b) { return LargestNodeGain(WideBase(footprint, b)) <= limit; };
-  double low = kFirstKaiser, high = kLastKaiser;
-  if (keeps(low)) return low;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (low + high) / 2;
-    (keeps(middle) ? high : low) = middle;
-  }
-  return high;
-}
+Resampler KaiserResampler(double b) { return WideBase(Footprint::k36, b); }
 
-double BestKaiser(const std::function<double(double b)>& loss, double least) {
-  return GoldenSection([&](double b) { return -loss(b); }, least, kLastKaiser, kKaiserWidth).at;
+std::optional<double> BestKaiser(const std::function<double(double b)>& loss, Footprint footprint,
+                                 double limit) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const Maximum best = GoldenSection(
+      [&](double b) {
+        return LargestNodeGain(WideBase(footprint, b)) <= limit ? -loss(b) : -kNone;
+      },
+      kFirstKaiser, kLastKaiser, kKaiserWidth);
+  return best.value > -kNone ? std::optional(best.at) : std::nullopt;
 }
 
 }  // namespace warplut

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "train/fit/resampler.h"
 
@@ -11,20 +12,18 @@ namespace warplut {
 // The b of the six-tap filter that results are compared with.
 inline constexpr double kComparedKaiser = 4.5;
 
-// The windowed sinc of 36 taps, as it is.
-Resampler KaiserResampler(double b);
-
-// The head's base of a footprint of 24 or 36 taps: its wide kernel, whose first moments are closed.
+// The head's base of a footprint of 24 or 36 taps: its wide kernel.
 Resampler WideBase(Footprint footprint, double b);
 
-// The least b in [kFirstKaiser, kLastKaiser], to within 1e-3, whose base has a gain of at most `limit`
-// at every node, as every larger one has.
+// The windowed sinc of 36 taps.
+Resampler KaiserResampler(double b);
+
+// The b in [kFirstKaiser, kLastKaiser] of the least loss among those whose base has a gain of at most
+// `limit` at every node, by golden section to within kKaiserWidth; none if the search meets no such b.
 inline constexpr double kFirstKaiser = 2;
 inline constexpr double kLastKaiser = 12;
-double LeastKaiser(Footprint footprint, double limit);
-
-// The b in [least, kLastKaiser] of the least loss, by golden section to within kKaiserWidth.
 inline constexpr double kKaiserWidth = 0.05;
-double BestKaiser(const std::function<double(double b)>& loss, double least);
+std::optional<double> BestKaiser(const std::function<double(double b)>& loss, Footprint footprint,
+                                 double limit);
 
 }  // namespace warplut

@@ -220,8 +220,15 @@ void Training::StartPrefilter() {
 void Training::StartWide() {
   const auto objective = StageObjective(0);
   const auto loss = [&](double b) { return Judge(*objective, WideBase(options_.footprint, b)); };
-  const double least = LeastKaiser(options_.footprint, options_.gain_bound);
-  model_ = ResamplerModel(options_.footprint, BestKaiser(loss, least));
+  const std::optional<double> best =
+      BestKaiser(loss, options_.footprint, LargestGain(options_.gain_bound));
+  if (!best) {
+    throw Error(fmt::format(
+        "No kernel of {} taps to start from has a gain within the bound of {}; expected a larger "
+        "one.",
+        TapCount(options_.footprint), options_.gain_bound));
+  }
+  model_ = ResamplerModel(options_.footprint, *best);
 }
 
 bool Training::Report(int iteration, std::int64_t evaluations, double loss) {

@@ -43,8 +43,8 @@ TEST(MotionSplit, NotANumberAndInfinityCountAsZero) {
 
 TEST(MotionSplit, FarMotionStaysInRange) {
   for (const float m : {1e6f, 1e30f, std::numeric_limits<float>::max()}) {
-    EXPECT_EQ(SampledTexel(10, SplitMotion(m).whole, 100), -2);
-    EXPECT_EQ(SampledTexel(10, SplitMotion(-m).whole, 100), 100);
+    EXPECT_EQ(SampledTexel(10, SplitMotion(m).whole, 100), -3);
+    EXPECT_EQ(SampledTexel(10, SplitMotion(-m).whole, 100), 101);
   }
 }
 

@@ -52,7 +52,7 @@ TEST(ResamplerModel, GradientOfJEqualsDifferences) {
                      {PrefilterMap::Fir(3, 0.21), FirPrefilter(0.17, 3)},
                      {PrefilterMap::Fixed(0.18), {}}};
   for (const auto& [map, at] : cases) {
-    MlpObjective judged(objective, 1.002, 1e-3, map);
+    MlpObjective judged(objective, 1.002, 1e-3, ResamplerModel(map));
     std::vector<double> parameters = Parameters(map, at);
     std::vector<double> gradient(parameters.size());
     judged.Evaluate(parameters.data(), gradient.data());

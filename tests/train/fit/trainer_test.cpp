@@ -115,6 +115,14 @@ TEST(Trainer, OfMoreTapsStaysWithinTheGainAndKeepsWhatItStartsFrom) {
   }
 }
 
+TEST(Trainer, RefusesAGainThatNoKernelOfMoreTapsKeeps) {
+  TrainOptions options = Small();
+  options.footprint = Footprint::k36;
+  options.prefilter = TrainPrefilter::kNone;
+  options.gain_bound = 1;
+  ExpectError([&] { Train(options, Images()); }, {"36 taps", "the bound of 1", "a larger one"});
+}
+
 TEST(Trainer, SameBitsForAnyNumberOfThreads) {
   TrainOptions options = Small();
   options.threads = 1;
