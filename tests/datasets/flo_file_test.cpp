@@ -32,16 +32,16 @@ TEST(ReadFlo, TellsWhatIsUnknown) {
   EXPECT_EQ(info.width, 3);
   EXPECT_EQ(info.height, 2);
   EXPECT_EQ(info.channels, (std::vector<std::string>{"X", "Y"}));
-  const Image flow = ReadImage(path, {}, false);
+  const Image flow = ReadImage(path, {}, Values::kAll);
   EXPECT_EQ(flow.at(0, 0, 1), -2);
   EXPECT_EQ(flow.at(1, 0, 0), 3);
   EXPECT_EQ(flow.at(2, 1, 0), 1e9f);
   for (const auto& [x, y] : {std::pair(2, 0), std::pair(0, 1), std::pair(1, 1)}) {
     EXPECT_TRUE(std::isnan(flow.at(x, y, 0)) && std::isnan(flow.at(x, y, 1))) << x << ", " << y;
   }
-  EXPECT_EQ(ReadImage(path, {"y", "X"}, false).at(1, 0, 0), 4);
+  EXPECT_EQ(ReadImage(path, {"y", "X"}, Values::kAll).at(1, 0, 0), 4);
   ExpectError([&] { ReadImage(path); }, {"a.FLO", "pixel (2, 0)", "channel X", "finite"});
-  ExpectError([&] { ReadImage(path, {"R"}, false); }, {"a.FLO", "no channel 'R'"});
+  ExpectError([&] { ReadImage(path, {"R"}, Values::kAll); }, {"a.FLO", "no channel 'R'"});
 }
 
 TEST(ReadFlo, RefusesWhatIsDamaged) {

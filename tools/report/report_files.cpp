@@ -7,6 +7,7 @@
 #include "datasets/error.h"
 #include "datasets/file.h"
 #include "datasets/image_io.h"
+#include "datasets/json_fields.h"
 #include "tools/report/svg_plot.h"
 
 namespace warplut {

@@ -5,17 +5,10 @@
 
 #include "datasets/file.h"
 #include "luts/bake/table_io.h"
-#include "luts/fit/json_header.h"
 #include "tools/report/embedded.h"
 
 namespace warplut {
 namespace {
-
-bool IsFit(const std::filesystem::path& path) {
-  if (path.extension() != ".json") return false;
-  const nlohmann::json document = ReadJson(path);
-  return document.is_object() && document.value("format", nlohmann::json()) == kFitFormat;
-}
 
 ReportLut LoadShipped(const std::filesystem::path& folder, std::string_view text) {
   const std::string name = nlohmann::json::parse(text).at("name");

@@ -213,7 +213,7 @@ TEST_P(WarpAccuracy, TexelsAboutTheLeastNormalNumber) {
     }
     TestMotion motion(97, 21);
     motion.Randomise(4, 3);
-    for (const WarpOptions& options : kBothKinds) {
+    for (const WarpOptions& options : KindsOfFilters()) {
       const TestHistory read(history, options);
       TestImage reference(97, 21, GetParam());
       read.ReferenceTo(motion.view(), options, reference);

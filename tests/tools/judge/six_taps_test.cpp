@@ -19,7 +19,7 @@ double Sinc(double t) {
 }
 
 TEST(SixTaps, SumToOneAndMirror) {
-  for (const float b : {0.0f, 4.5f, kLargestKaiser}) {
+  for (const float b : {0.0f, 4.5f, static_cast<float>(kLargestKaiser)}) {
     for (int i = 0; i <= 16; ++i) {
       const float d = static_cast<float>(i) / 16;
       const SixTaps taps = KaiserSixTaps(b, d), mirrored = KaiserSixTaps(b, 1 - d);
