@@ -1,6 +1,8 @@
 #include "tools/sequence_inspection.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,27 @@ struct Range {
   }
 };
 
+// While it lives, libraries that write to standard error of what they refuse (libpng does, for each
+// file) are not heard: the Error has the reason. For code that no other thread runs beside.
+class QuietStandardError {
+ public:
+  QuietStandardError() : saved_(::dup(STDERR_FILENO)) {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (saved_ >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) ::close(nowhere);
+  }
+  ~QuietStandardError() {
+    if (saved_ < 0) return;
+    ::dup2(saved_, STDERR_FILENO);
+    ::close(saved_);
+  }
+  QuietStandardError(const QuietStandardError&) = delete;
+  QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+ private:
+  const int saved_;
+};
+
 constexpr Streams kEach[] = {Streams::kColor,          Streams::kDepth,
                              Streams::kMotion,         Streams::kReference,
                              Streams::kReferenceDepth, Streams::kReferenceMotion};
@@ -45,6 +68,11 @@ const Image& StreamImage(const Frame& frame, Streams stream) {
     default:
       return frame.color;
   }
+}
+
+Frame LoadQuietly(const Sequence& sequence, int index, Streams stream) {
+  const QuietStandardError quiet;
+  return LoadFrame(sequence, index, stream);
 }
 
 void AddImage(const Image& image, Range& range) {
@@ -84,7 +112,7 @@ std::vector<StreamInspection> InspectSequence(const Sequence& sequence,
     Range range;
     for (int index = 0; index < sequence.count; ++index) {
       try {
-        AddImage(StreamImage(LoadFrame(sequence, index, stream), stream), range);
+        AddImage(StreamImage(LoadQuietly(sequence, index, stream), stream), range);
         ++inspection.frames;
       } catch (const Error& problem) {
         inspection.problems.emplace_back(problem.what());

@@ -172,6 +172,19 @@ TEST_F(CalibrateCommand, RefusesWhatCannotBeJudged) {
   EXPECT_FALSE(fs::exists(Out()));
 }
 
+TEST_F(CalibrateCommand, FitsGenerationToRenderedFramesThatItDidNotSee) {
+  for (const Streams more : {Streams::kNone, Streams::kReference}) {
+    WritePan(folder_ / "bare", {.streams = Streams::kRenderGrid | more, .jitter = false});
+    const ProgramResult result =
+        RunWarplut(Arguments({"--sequence", Path("bare"), "--modes", "i", "--fit",
+                              "generation_depth_threshold", "--json"}));
+    ASSERT_EQ(result.code, 0) << result.err;
+    const auto clip = nlohmann::json::parse(result.out)["calibration"]["clips"][0];
+    EXPECT_GT(clip["ssim"]["calibrated"].get<double>(), 0.5);
+    std::filesystem::remove_all(Path("bare"));
+  }
+}
+
 TEST_F(CalibrateCommand, RefusesAnOutputThatCannotBeWritten) {
   WriteFile(Path("file"), "");
   ExpectRefused(RunWarplut(Arguments({"--out", Path("file/params.json")})), kFailed, "file");

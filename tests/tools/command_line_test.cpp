@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "datasets/file.h"
@@ -129,6 +130,21 @@ TEST_F(CommandLine, RendersASequenceThatInspectAccepts) {
   const ProgramResult inspect = RunWarplut({"dataset", "inspect", Path("out/still"), "--json"});
   EXPECT_EQ(inspect.code, 0) << inspect.err;
   EXPECT_THAT(inspect.out, testing::HasSubstr("\"reference_motion\""));
+
+  // Two damaged files, of which libpng would tell as well: the first and how many more.
+  const std::string whole = ReadFile(Path("out/still/lr/color/0000.png"));
+  for (const char* name : {"0000.png", "0001.png"}) {
+    WriteFile(Path("out/still/lr/color/") + name, whole.substr(0, whole.size() / 2));
+  }
+  const ProgramResult halves = RunWarplut({"dataset", "inspect", Path("out/still")});
+  EXPECT_EQ(halves.code, kFailed);
+  EXPECT_EQ(std::count(halves.err.begin(), halves.err.end(), '\n'), 1) << halves.err;
+  EXPECT_THAT(halves.out, testing::HasSubstr("0000.png"));
+  EXPECT_THAT(halves.out, testing::HasSubstr("(1 more frame of 'color' cannot be loaded)"));
+  EXPECT_THAT(halves.out, testing::Not(testing::HasSubstr("0001.png")));
+  for (const char* name : {"0000.png", "0001.png"}) {
+    WriteFile(Path("out/still/lr/color/") + name, whole);
+  }
 
   std::filesystem::remove(Path("out/still/hr/color/0001.png"));
   const ProgramResult damaged = RunWarplut({"dataset", "inspect", Path("out/still")});

@@ -79,7 +79,7 @@ TEST_F(ProfileCommand, ProposesATableThatThePrintedCommandMakes) {
     line.insert(line.end(), more.begin(), more.end());
     return RunWarplut(line);
   };
-  const ProgramResult result = profile(fit, {"--within", "0.004", "--json"});
+  const ProgramResult result = profile(fit, {"--within", "0.0001", "--json"});
   ASSERT_EQ(result.code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   ASSERT_FALSE(json["table"].is_null()) << result.out;
@@ -93,7 +93,7 @@ TEST_F(ProfileCommand, ProposesATableThatThePrintedCommandMakes) {
   const std::string made = Path("new folder/proposed.json");
   EXPECT_EQ(nlohmann::json::parse(ReadFile(made))["storage"], json["table"]["storage"]);
   // Of what is baked the fit is not at hand.
-  const ProgramResult of_baked = profile(made, {"--within", "0.004"});
+  const ProgramResult of_baked = profile(made, {"--within", "0.0001"});
   ASSERT_EQ(of_baked.code, 0) << of_baked.err;
   EXPECT_THAT(of_baked.out, HasSubstr("bake the fit of proposed with --format"));
 }
