@@ -80,7 +80,7 @@ TEST(History, AdaptiveFormResolvesMostOfIt) {
   SuperResolutionOptions alone = options;
   alone.history = false;
   for (const double pan : {0.0, 2.0}) {
-    EXPECT_LT(ErrorAfter(options, 12, pan), 0.5 * ErrorAfter(alone, 12, pan)) << pan;
+    EXPECT_LT(ErrorAfter(options, 16, pan), 0.5 * ErrorAfter(alone, 16, pan)) << pan;
   }
 }
 

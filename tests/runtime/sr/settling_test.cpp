@@ -30,6 +30,7 @@ struct Case {
     options.encoding = encoding;
     options.clamp = clamp;
     options.parameters.blend_a = blend_a;
+    options.parameters.blend_b = 1.05f;  // a sample one pixel away has no weight
     options.reference = reference;
     return options;
   }
