@@ -1,9 +1,10 @@
 # The runtime as a library, whole or with what one content needs.
 set(WARPLUT_ROOT ${CMAKE_CURRENT_LIST_DIR}/.. CACHE INTERNAL "The root of the sources")
 
-# warplut_runtime_library(NAME [PIPELINE HEADER]): a static library of the runtime. HEADER, a PIPELINE.h (runtime/pipeline_configuration.h),
-# says what it contains; without it everything. What links it is compiled with the same header. Sections are small, so that a program
-# linked with --gc-sections keeps only what it calls.
+# warplut_runtime_library(NAME [PIPELINE HEADER]): a static library of the runtime. HEADER, a
+# PIPELINE.h (runtime/pipeline_configuration.h), says what it contains; without it everything. What
+# links it is compiled with the same header. Sections are small, so that a program linked with
+# --gc-sections keeps only what it calls.
 function(warplut_runtime_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "PIPELINE" "")
   find_package(HWY REQUIRED CONFIG NAMES HWY hwy)
@@ -58,7 +59,8 @@ function(warplut_runtime_library name)
   set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   if(NOT MSVC)
     target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
-    # The plain and the fast version of a pass give the same bits: no compiler may fuse multiply and add in one of them.
+    # The plain and the fast version of a pass give the same bits: no compiler may fuse multiply and
+    # add in one of them.
     set_source_files_properties(${generation} TARGET_DIRECTORY ${name}
                                 PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
   endif()

@@ -11,9 +11,10 @@ if(WARPLUT_SANITIZE)
   endif()
 endif()
 
-# warplut_headers(TARGET FOLDER...): TARGET and its users may include the headers of these folders, as "FOLDER/name.h".
-# Every library has an include directory of its own, made of links, so that an include against the direction of the
-# libraries (docs/ARCHITECTURE.md) does not build. The runtime alone needs no guard: its include directory is the root.
+# warplut_headers(TARGET FOLDER...): TARGET and its users may include the headers of these folders,
+# as "FOLDER/name.h". Every library has an include directory of its own, made of links, so that an
+# include against the direction of the libraries (docs/ARCHITECTURE.md) does not build. The runtime
+# alone needs no guard: its include directory is the root.
 function(warplut_headers target)
   get_target_property(type ${target} TYPE)
   set(scope PUBLIC)

@@ -1,18 +1,21 @@
 // From the values of a depth or motion file to the convention of datasets/frame.h, and back.
 //
-// Packed (rgba8-base255): with bytes R, G, B, A, v = (R 255^3 + G 255^2 + B 255 + A) / 255^4, in [0, 1 + 1/254);
-// every multiple of 255^-4 from 0 to 1 has one such code with G, B, A < 255. Both encodings: value = scale v + bias.
+// Packed (rgba8-base255): with bytes R, G, B, A, v = (R 255^3 + G 255^2 + B 255 + A) / 255^4, in
+// [0, 1 + 1/254); every multiple of 255^-4 from 0 to 1 has one such code with G, B, A < 255. Both
+// encodings: value = scale v + bias.
 //
 // Depth d = view depth / far, from the value z with near n and far f:
 //   linear            d = z / f
 //   forward           d = n / (f - z (f - n))         z = 0 at n, 1 at f
 //   reversed          d = n / (n + z (f - n))         z = 1 at n, 0 at f
-//   reversed, f = inf d = 1 / z                       in units of n, as there is no f; +inf at z = 0
+//   reversed, f = inf d = 1 / z                       in units of n, as there is no f; +inf at
+//                                                     z = 0
 // z of the hyperbolic kinds is clamped to [0, 1] where it is outside by at most kHyperbolicSlack,
 // the most that a packed code can exceed 1, and refused beyond.
 //
-// Motion m in pixels of a w x h grid, from the value v: m = v s with s = 1 (pixels), (w, h) (uv) or (w/2, h/2)
-// (ndc); y is negated where it is stored upwards, and both where motion is stored from current to previous.
+// Motion m in pixels of a w x h grid, from the value v: m = v s with s = 1 (pixels), (w, h) (uv) or
+// (w/2, h/2) (ndc); y is negated where it is stored upwards, and both where motion is stored from
+// current to previous.
 //
 // Computed in double, rounded to float once. Throw Error with a sentence that begins with `what` (a
 // file's name) and names the pixel. No threads, no state.
@@ -52,7 +55,8 @@ void DecodeMotion(const Image& stored, const MotionStream& stream, int c, const 
 // No motion, (0, 0), at every pixel of which a component is NaN.
 void ClearInvalid(Image* motion);
 
-// The inverse, of channel c of `motion`. Refused: NaN, infinity, and values outside [0, 1] of a packed code.
+// The inverse, of channel c of `motion`. Refused: NaN, infinity, and values outside [0, 1] of a
+// packed code.
 Image EncodeMotion(const Image& motion, const MotionStream& stream, int c, const std::string& what);
 
 }  // namespace warplut

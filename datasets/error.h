@@ -1,5 +1,5 @@
-// The one exception of the offline tools: bad input or a failed operation, told in one sentence that names
-// the thing and what was expected. The runtime does not use it.
+// The one exception of the offline tools: bad input or a failed operation, told in one sentence
+// that names the thing and what was expected. The runtime does not use it.
 #pragma once
 
 #include <stdexcept>

@@ -8,17 +8,19 @@
 
 namespace warplut {
 
-// Calls `write` with the path of a temporary file beside `path` (same extension), then syncs that file, renames it
-// to `path` and syncs the folder. On any failure the temporary file is removed, `path` is as it was, and an Error
-// names `path` and the reason; if only the last sync fails, that of the folder, there is an Error although `path`
-// is the new file, complete. Parent folders must exist.
+// Calls `write` with the path of a temporary file beside `path` (same extension), then syncs that
+// file, renames it to `path` and syncs the folder. On any failure the temporary file is removed,
+// `path` is as it was, and an Error names `path` and the reason; if only the last sync fails, that
+// of the folder, there is an Error although `path` is the new file, complete. Parent folders must
+// exist.
 void WriteAtomically(const std::filesystem::path& path,
                      const std::function<void(const std::filesystem::path& temporary)>& write);
 
 // WriteAtomically of these bytes.
 void WriteFile(const std::filesystem::path& path, std::string_view bytes);
 
-// The bytes of a regular file. An Error names `path` if it is missing, unreadable or longer than `max_bytes`.
+// The bytes of a regular file. An Error names `path` if it is missing, unreadable or longer than
+// `max_bytes`.
 std::string ReadFile(const std::filesystem::path& path,
                      std::size_t max_bytes = std::size_t{1} << 30);
 

@@ -1,4 +1,5 @@
-// One frame of a sequence in the one convention of this project. Everything else is converted at the edge.
+// One frame of a sequence in the one convention of this project. Everything else is converted at
+// the edge.
 #pragma once
 
 #include <array>
@@ -13,19 +14,23 @@ struct Vec2 {
   double y = 0;
 };
 
-// Camera matrices, row-major, acting on column vectors; NDC as OpenGL (x right, y up, z in [-1, 1]).
+// Camera matrices, row-major, acting on column vectors; NDC as OpenGL
+// (x right, y up, z in [-1, 1]).
 struct Camera {
   std::array<double, 16> view{};
   std::array<double, 16> projection{};
 };
 
 // Streams that a sequence lacks are empty images.
-//   color, reference  RGB: what the display gets, [0, 1], or linear HDR where the sequence says so: any number, infinity too.
+//   color, reference  RGB: what the display gets, [0, 1], or linear HDR where the sequence says so:
+//                     any number, infinity too.
 //   depth             1 channel: view depth divided by the far plane, 0 at the camera, 1 at far;
 //                     background +1 or +infinity.
-//   motion            2 channels x, y: displacement in pixels of its own grid, from frame f-1 to frame f, of what
-//                     is seen at the pixel; y down. The previous position is p - m. No jitter in it.
-//   jitter            LR pixel (i, j) shows what projects, unjittered, to (i + 0.5 + x, j + 0.5 + y).
+//   motion            2 channels x, y: displacement in pixels of its own grid, from frame f-1 to
+//                     frame f, of what is seen at the pixel; y down. The previous position is
+//                     p - m. No jitter in it.
+//   jitter            LR pixel (i, j) shows what projects, unjittered, to
+//                     (i + 0.5 + x, j + 0.5 + y).
 struct Frame {
   int number = 0;                                      // as in the file names
   bool cut = false;                                    // shares nothing with the frame before

@@ -93,7 +93,8 @@ class FrameReader {
     return sequence_.folder / FrameFileName(pattern, number_);
   }
 
-  // Size and channels, before any pixel is read. `components`: numbers that a pixel holds, 0 where any.
+  // Size and channels, before any pixel is read. `components`: numbers that a pixel holds, 0 where
+  // any.
   static void Check(const fs::path& path, GridSize grid, const std::vector<std::string>& channels,
                     std::size_t components, Encoding encoding) {
     const ImageInfo info = ReadImageInfo(path, channels);

@@ -41,7 +41,8 @@ bool StaysBelow(std::string_view path) {
   }
 }
 
-// Calls text(piece) and conversion(c) in order; false at a '%' that begins neither a conversion nor "%%".
+// Calls text(piece) and conversion(c) in order; false at a '%' that begins neither a conversion nor
+// "%%".
 template <class Text, class Number>
 bool Parse(std::string_view pattern, const Text& text, const Number& conversion) {
   for (std::size_t i = 0; i < pattern.size();) {

@@ -7,8 +7,9 @@
 namespace warplut {
 
 // Whether `pattern` is a relative path below its folder ('/' between parts, no "..", no control
-// characters) with exactly one conversion %d, %Nd or %0Nd (N from 1 to 9) in it; "%%" is a percent sign.
-// If not and `why` is given, *why ends a sentence that begins with the pattern: "has ...; expected ...".
+// characters) with exactly one conversion %d, %Nd or %0Nd (N from 1 to 9) in it; "%%" is a percent
+// sign. If not and `why` is given, *why ends a sentence that begins with the pattern: "has ...;
+// expected ...".
 bool IsFramePattern(std::string_view pattern, std::string* why = nullptr);
 
 // `pattern`, which IsFramePattern, with its conversion replaced by `number` >= 0.

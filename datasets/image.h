@@ -1,7 +1,7 @@
 // An image of the offline tools: float, interleaved, tightly packed.
 //
-// Row 0 is at the top, x right, y down; the centre of pixel (x, y) is at (x + 0.5, y + 0.5). Value c of that
-// pixel is at (y * width + x) * channels + c.
+// Row 0 is at the top, x right, y down; the centre of pixel (x, y) is at (x + 0.5, y + 0.5). Value
+// c of that pixel is at (y * width + x) * channels + c.
 #pragma once
 
 #include <cstddef>

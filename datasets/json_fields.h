@@ -1,4 +1,5 @@
-// JSON that people wrote by hand, read without guessing: each field once, none missing, none unknown.
+// JSON that people wrote by hand, read without guessing: each field once, none missing, none
+// unknown.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// A sequence on disk: its manifest, sequence.json version 1, and its frames. docs/FORMATS.md is the users' page.
+// A sequence on disk: its manifest, sequence.json version 1, and its frames. docs/FORMATS.md is the
+// users' page.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +20,8 @@ struct GridSize {
 
 enum class ColorSpace : std::uint8_t { kSrgb, kLinear };
 
-// The manifest, as plain values. color, depth and motion are on the render grid, reference* on the output grid.
+// The manifest, as plain values. color, depth and motion are on the render grid, reference* on the
+// output grid.
 struct Sequence {
   static constexpr int kVersion = 1;
   static constexpr const char* kFormat = "warplut-sequence";
@@ -69,19 +71,21 @@ Sequence ReadSequence(const std::filesystem::path& path);
 // bytes.
 std::vector<std::filesystem::path> SequencesBelow(const std::filesystem::path& folder);
 
-// The manifest as text: what ReadSequence reads back to the same values. A pure function. Error if not valid.
+// The manifest as text: what ReadSequence reads back to the same values. A pure function. Error if
+// not valid.
 std::string SequenceJson(const Sequence& sequence);
 
-// Reads the streams `which` of the frame at `index` (0 to count - 1), converted to the convention of datasets/frame.h
-// as datasets/encoding.h describes; only their files are opened. Grey colour is copied to R, G and B; alpha is
-// dropped. Number, cut, jitter and camera are always set. Frame 0 is a cut only where the manifest
-// says so; what runs over frames takes it as one (train/replay/clip.h).
+// Reads the streams `which` of the frame at `index` (0 to count - 1), converted to the convention
+// of datasets/frame.h as datasets/encoding.h describes; only their files are opened. Grey colour is
+// copied to R, G and B; alpha is dropped. Number, cut, jitter and camera are always set. Frame 0 is
+// a cut only where the manifest says so; what runs over frames takes it as one
+// (train/replay/clip.h).
 //
 // Error, naming the file or the stream and the sequence: index out of range, a stream that the
-// manifest lacks, a missing or damaged file, a file of another size or with other channels, a NaN, an
-// infinite value (but in depth, where +infinity is background, and in linear colour, which is left
-// as it is: LoadClip limits it), a negative depth, and a colour outside [0, 1] unless the sequence
-// is linear. Threads may load frames of one sequence at the same time.
+// manifest lacks, a missing or damaged file, a file of another size or with other channels, a NaN,
+// an infinite value (but in depth, where +infinity is background, and in linear colour, which is
+// left as it is: LoadClip limits it), a negative depth, and a colour outside [0, 1] unless the
+// sequence is linear. Threads may load frames of one sequence at the same time.
 Frame LoadFrame(const Sequence& sequence, int index, Streams which);
 
 }  // namespace warplut

@@ -241,7 +241,8 @@ Json ToJson(const MotionStream& s, const char* grid) {
   return json;
 }
 
-// The elements of `json`, one on a line, so that a person can read a camera or a stream at a glance.
+// The elements of `json`, one on a line, so that a person can read a camera or a stream at a
+// glance.
 std::string Lines(const Json& json) {
   const bool object = json.is_object();
   std::string lines = object ? "{" : "[";

@@ -8,23 +8,26 @@
 
 namespace warplut {
 
-// A Sequence with the usual layout: lr/color/%04d.png, lr/depth/%04d.exr (Z), lr/motion/%04d.exr (X, Y) and
-// hr/ alike for the references; colour in .exr where linear. Linear depth from near to far, motion in pixels
-// from previous to current, y down. `streams` always includes color. Jitter, camera and cuts are left empty.
+// A Sequence with the usual layout: lr/color/%04d.png, lr/depth/%04d.exr (Z), lr/motion/%04d.exr
+// (X, Y) and hr/ alike for the references; colour in .exr where linear. Linear depth from near to
+// far, motion in pixels from previous to current, y down. `streams` always includes color. Jitter,
+// camera and cuts are left empty.
 Sequence StandardSequence(const std::string& name, int first, int count, GridSize render,
                           GridSize output, ColorSpace color_space, Streams streams, double near,
                           double far);
 
-// Writes frames in the convention that `sequence` describes, then the manifest. The manifest comes last: a
-// folder in which writing was interrupted has none. Until then <manifest>.partial holds the text of the
-// manifest to be, so that frames of two different sequences never mix. Every file is written atomically. Not
-// for two writers in one folder at a time; one writer may be used from several threads for different frames.
+// Writes frames in the convention that `sequence` describes, then the manifest. The manifest comes
+// last: a folder in which writing was interrupted has none. Until then <manifest>.partial holds the
+// text of the manifest to be, so that frames of two different sequences never mix. Every file is
+// written atomically. Not for two writers in one folder at a time; one writer may be used from
+// several threads for different frames.
 //
 // Formats: colour .png (8 bit) or .exr (half); depth and motion .exr (float), or .png where packed.
 class SequenceWriter {
  public:
-  // `sequence.folder` is set to `folder`. Creates the folders. Error: `sequence` is not valid or has a file
-  // type or a path used twice that cannot be written, or the folder holds another sequence, finished or not.
+  // `sequence.folder` is set to `folder`. Creates the folders. Error: `sequence` is not valid or
+  // has a file type or a path used twice that cannot be written, or the folder holds another
+  // sequence, finished or not.
   SequenceWriter(const std::filesystem::path& folder, Sequence sequence);
 
   const Sequence& sequence() const { return sequence_; }

@@ -33,7 +33,8 @@ constexpr bool Contains(Streams set, Streams streams) { return (set & streams) =
 
 // How a file's channels become one number per component.
 //   kFloat         the stored value; integer files are scaled to [0, 1].
-//   kRgba8Base255  v = r + g / 255 + b / 255^2 + a / 255^3 of an 8-bit RGBA file, r, g, b, a in [0, 1].
+//   kRgba8Base255  v = r + g / 255 + b / 255^2 + a / 255^3 of an 8-bit RGBA file, r, g, b, a in [0,
+//                  1].
 enum class Encoding : std::uint8_t { kFloat, kRgba8Base255 };
 
 // kLinear: view depth, in units where `far` is the far plane. kForward, kReversed: the depth buffer

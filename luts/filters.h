@@ -1,6 +1,6 @@
 // The resampling formulas, once: weights of the closed-form filters, and the sum that turns weights
-// and texels into a value. T is float in the reference kernel, double in the trainer, or any type with
-// arithmetic (a dual number) where derivatives are wanted.
+// and texels into a value. T is float in the reference kernel, double in the trainer, or any type
+// with arithmetic (a dual number) where derivatives are wanted.
 #pragma once
 
 #include <cmath>
@@ -12,13 +12,13 @@ namespace warplut {
 // Catmull-Rom is the Keys kernel with a = -1/2.
 inline constexpr double kCatmullRomA = -0.5;
 
-// The four weights of the Keys cubic convolution kernel with parameter a, for the fraction d in [0, 1].
-// They sum to 1; d = 0 gives (0, 1, 0, 0). Source: R. Keys 1981, equation 15 with free a.
+// The four weights of the Keys cubic convolution kernel with parameter a, for the fraction d in [0,
+// 1]. They sum to 1; d = 0 gives (0, 1, 0, 0). Source: R. Keys 1981, equation 15 with free a.
 template <class T>
 constexpr std::array<T, kTaps> KeysTaps(T a, T d) {
   const T e = T(1) - d;
-  // |t| <= 1: (a + 2) t^3 - (a + 3) t^2 + 1; 1 < |t| < 2: a t^3 - 5 a t^2 + 8 a t - 4 a, with t = 1 + d
-  // factored as a d (1 - d)^2, which is exact at both ends.
+  // |t| <= 1: (a + 2) t^3 - (a + 3) t^2 + 1; 1 < |t| < 2: a t^3 - 5 a t^2 + 8 a t - 4 a, with
+  // t = 1 + d factored as a d (1 - d)^2, which is exact at both ends.
   const T outer0 = a * d * e * e;
   const T outer3 = a * e * d * d;
   const T inner1 = ((a + T(2)) * d - (a + T(3))) * d * d + T(1);

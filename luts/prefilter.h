@@ -1,4 +1,5 @@
-// The prefilter of a resampler: turns the samples of an image into the coefficients that its table reads.
+// The prefilter of a resampler: turns the samples of an image into the coefficients that its table
+// reads.
 //
 // A table without prefilter weighs samples. A table with one weighs coefficients c = P x, with P a
 // separable filter that runs once per image (generalized interpolation: Thevenaz, Blu, Unser, IEEE
@@ -16,8 +17,8 @@
 //   kFir        t_0 + 2 sum over j = 1..reach of t_j cos(j f), about 1 / A(f)
 //
 // Both have 1 at f = 0: a constant stays as it is. Images are continued beyond their border by
-// mirroring at the edge of the outermost pixels: x(-1 - i) = x(i). Then c is mirrored alike, and P is
-// a symmetric matrix.
+// mirroring at the edge of the outermost pixels: x(-1 - i) = x(i). Then c is mirrored alike, and P
+// is a symmetric matrix.
 // Ranges: 0 < s < 1/4 keeps the pole inside the unit circle; kLargestSide keeps |z| below .6.
 #pragma once
 
@@ -99,12 +100,14 @@ double PrefilterResponse(const BasicPrefilter<T>& p, double f) {
   return 1;
 }
 
-// How far PrefilterResponse * WholeOffsetResponse of a kFir prefilter may be from 1 at any frequency.
+// How far PrefilterResponse * WholeOffsetResponse of a kFir prefilter may be from 1 at any
+// frequency.
 inline constexpr double kFirIdentityTolerance = 0.05;
 // How far the sum of the taps may be from 1.
 inline constexpr double kFirSumTolerance = 1e-5;
 
-// Whether the prefilter is one of the above; otherwise *why (if not null) says in a sentence why not.
+// Whether the prefilter is one of the above; otherwise *why (if not null) says in a sentence why
+// not.
 inline bool IsValid(const Prefilter& p, const char** why = nullptr) {
   const auto refuse = [why](const char* reason) {
     if (why != nullptr) *why = reason;

@@ -1,4 +1,5 @@
-// A baked table made ready for lookup: floats, 33 x 33 nodes, so that bilinear lookup needs no wrap.
+// A baked table made ready for lookup: floats, 33 x 33 nodes, so that bilinear lookup needs no
+// wrap.
 #pragma once
 
 #include <array>
@@ -14,7 +15,8 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// How an offset becomes weights: the nearest node, or the bilinear mean of the four nodes around it.
+// How an offset becomes weights: the nearest node, or the bilinear mean of the four nodes around
+// it.
 enum class Lookup : std::uint8_t { kNearest, kBilinear };
 
 constexpr const char* Name(Lookup lookup) {
@@ -44,14 +46,14 @@ constexpr int NearestNode(float d) { return static_cast<int>(d * kNodes + 0.5f);
 
 class Table {
  public:
-  // Decodes the table; `view.data` need not outlive the call. Rows of node 32 are those of node 0, one
-  // tap further (the contract keeps the tap that would leave the window at zero). Assumes that the
-  // view keeps the contract.
+  // Decodes the table; `view.data` need not outlive the call. Rows of node 32 are those of node 0,
+  // one tap further (the contract keeps the tap that would leave the window at zero). Assumes that
+  // the view keeps the contract.
   explicit Table(const TableView& view);
 
-  // The weights for offset (dx, dy) in [0, 1): those of the window, 0 where there is no tap. Those of
-  // the nearest lookup are exactly those of every kernel. Those of the bilinear one are, up to float
-  // rounding (a kernel may fuse multiply and add): 2^-22 per weight.
+  // The weights for offset (dx, dy) in [0, 1): those of the window, 0 where there is no tap. Those
+  // of the nearest lookup are exactly those of every kernel. Those of the bilinear one are, up to
+  // float rounding (a kernel may fuse multiply and add): 2^-22 per weight.
   Weights<float> At(float dx, float dy, Lookup lookup) const;
 
   // 33 x 33 rows of RowFloats(footprint()) numbers, dy slowest, 64-byte aligned: the weights in the

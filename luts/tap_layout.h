@@ -1,5 +1,5 @@
-// The order of a footprint's taps in a decoded table: groups of four, each of which kernels load as one
-// run of texels or as two pairs.
+// The order of a footprint's taps in a decoded table: groups of four, each of which kernels load as
+// one run of texels or as two pairs.
 //
 // Every row of taps gives runs of four from its left; what is left over are pairs, which make the
 // last groups two by two. 16 taps are four runs, in the contract's order.

@@ -5,8 +5,8 @@
 //
 //   K_n(d) = sinc(d - n) I0(b sqrt(1 - ((d - n) / 3)^2)),  divided by the sum over n
 //
-// the Kaiser-windowed sinc of 6 taps; sinc(t) = sin(pi t) / (pi t), I0 the modified Bessel function of
-// order 0. b = 0 is the truncated sinc; a larger one is blurrier. Source: Kaiser 1974.
+// the Kaiser-windowed sinc of 6 taps; sinc(t) = sin(pi t) / (pi t), I0 the modified Bessel function
+// of order 0. b = 0 is the truncated sinc; a larger one is blurrier. Source: Kaiser 1974.
 //
 //   36 taps  K(dx) K(dy)
 //   24 taps  C C + (K - C) B + B (K - C),  the first factor along x, with C Catmull-Rom and B the
@@ -39,8 +39,8 @@ T BesselI0OfSquare(T square) {
   return sum;
 }
 
-// The weights above for d in [0, 1]. They sum to 1; d = 0 gives the texel itself, d = 1 the next one, and
-// 1 - d the same weights in reverse.
+// The weights above for d in [0, 1]. They sum to 1; d = 0 gives the texel itself, d = 1 the next
+// one, and 1 - d the same weights in reverse.
 inline WindowTaps<double> KaiserTaps(double b, double d) {
   constexpr double kHalfWidth = kWindowTaps / 2;
   const bool mirrored = d > 0.5;

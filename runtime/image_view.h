@@ -9,7 +9,8 @@
 
 namespace WARPLUT_PUBLIC warplut {
 
-// Interleaved channels, row 0 at the top. 8-bit codes stand for value / 255; halves are IEEE binary16.
+// Interleaved channels, row 0 at the top. 8-bit codes stand for value / 255; halves are IEEE
+// binary16.
 enum class PixelFormat : std::uint8_t { kRgba8, kRgba16F, kRgba32F, kR32F };
 
 inline constexpr PixelFormat kPixelFormats[] = {PixelFormat::kRgba8, PixelFormat::kRgba16F,

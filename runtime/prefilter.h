@@ -41,8 +41,8 @@ constexpr int MirroredPixel(int i, int size) {
   return in_period < size ? in_period : period - 1 - in_period;
 }
 
-// The format of the coefficients of samples in `format`: they overshoot the range of the samples. Of
-// RGBA8 they are code values in RGBA16F; the float formats keep theirs.
+// The format of the coefficients of samples in `format`: they overshoot the range of the samples.
+// Of RGBA8 they are code values in RGBA16F; the float formats keep theirs.
 constexpr PixelFormat CoefficientFormat(PixelFormat format) {
   return format == PixelFormat::kRgba8 ? PixelFormat::kRgba16F : format;
 }

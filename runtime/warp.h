@@ -1,21 +1,24 @@
 // Warping: every output pixel p takes the history at p - m(p).
 //
-//   out(p) = sum over taps k of w_k(d) * history(t + (TapX(k), TapY(k))),   p - m(p) = t + d,   d in [0, 1)^2
+//   out(p) = sum over taps k of w_k(d) * history(t + (TapX(k), TapY(k))),   p - m(p) = t + d,   d
+//                                                                           in [0, 1)^2
 //
-// with the weights w and the taps of the chosen filter (FootprintOf), clamped texel coordinates at the borders, and m in pixels of
-// the image, from history to now (x right, y down). A NaN or infinite component of m counts as zero; a
-// position far outside gives the border texel. Where d = (0, 0) the texel is copied, bit for bit.
+// with the weights w and the taps of the chosen filter (FootprintOf), clamped texel coordinates at
+// the borders, and m in pixels of the image, from history to now (x right, y down). A NaN or
+// infinite component of m counts as zero; a position far outside gives the border texel. Where
+// d = (0, 0) the texel is copied, bit for bit.
 //
-// RGBA8 rounds halves up and clamps to [0, 255]; RGBA16F is summed in float and rounded to nearest even.
-// Subnormal texels and sums are flushed to zero, but copied where d = (0, 0):
+// RGBA8 rounds halves up and clamps to [0, 255]; RGBA16F is summed in float and rounded to nearest
+// even. Subnormal texels and sums are flushed to zero, but copied where d = (0, 0):
 // runtime/float_environment.h.
-// Motion, history and output have one size; history and output one format; the output overlaps neither input.
+// Motion, history and output have one size; history and output one format; the output overlaps
+// neither input.
 //
 // A filter with prefilter (PrefilterOf) weighs coefficients (runtime/prefilter.h) in place of the
 // history's texels. It takes a PrefilteredImage; an ImageView alone it would blur. A filter without
-// prefilter takes an ImageView. Where d = (0, 0) the sample is copied, bit for bit. A position beyond
-// the centres of the outermost pixels is moved to them, in each axis: far outside is the border
-// sample.
+// prefilter takes an ImageView. Where d = (0, 0) the sample is copied, bit for bit. A position
+// beyond the centres of the outermost pixels is moved to them, in each axis: far outside is the
+// border sample.
 #pragma once
 
 #include <cstdint>
@@ -61,8 +64,8 @@ inline constexpr float kLargestSplineK = 0.06f;
 // The prefilter of the options' filter; kind none where it weighs samples.
 Prefilter PrefilterOf(const WarpOptions& options);
 
-// An image as a filter with prefilter reads it. Both views have one size; `coefficients` has CoefficientFormat of the
-// samples' format.
+// An image as a filter with prefilter reads it. Both views have one size; `coefficients` has
+// CoefficientFormat of the samples' format.
 struct PrefilteredImage {
   ImageView samples;
   ImageView coefficients;
@@ -74,7 +77,8 @@ Footprint FootprintOf(const WarpOptions& options);
 // The weights of the options' filter for an offset in [0, 1)^2.
 Weights<float> FilterWeights(const WarpOptions& options, float dx, float dy);
 
-// Whether a warp may be called: sizes, formats, strides and pointers fit; otherwise *why (if not null) says why not.
+// Whether a warp may be called: sizes, formats, strides and pointers fit; otherwise *why
+// (if not null) says why not.
 bool IsWarpable(const ImageView& history, const MotionView& motion, const MutableImageView& out,
                 const char** why);
 
@@ -83,7 +87,8 @@ bool IsWarpable(const ImageView& history, const MotionView& motion, const Mutabl
 bool IsWarpable(const PrefilteredImage& history, const MotionView& motion,
                 const MutableImageView& out, const char** why);
 
-// The formula above, one pixel after the other: slow, obvious. Input is assumed to be checked, as for Warp.
+// The formula above, one pixel after the other: slow, obvious. Input is assumed to be checked, as
+// for Warp.
 void WarpReference(const ImageView& history, const MotionView& motion, const WarpOptions& options,
                    const MutableImageView& out);
 
@@ -114,7 +119,8 @@ WarpStats Warp(const ImageView& history, const MotionView& motion, const MotionT
 WarpStats WarpRows(const ImageView& history, const MotionView& motion, const WarpOptions& options,
                    int first_row, int last_row, const MutableImageView& out);
 
-// Warp, WarpRows and WarpReference with a filter that has a prefilter. The output has the samples' format.
+// Warp, WarpRows and WarpReference with a filter that has a prefilter. The output has the samples'
+// format.
 WarpStats Warp(const PrefilteredImage& history, const MotionView& motion,
                const WarpOptions& options, const MutableImageView& out);
 WarpStats WarpRows(const PrefilteredImage& history, const MotionView& motion,

@@ -1,4 +1,5 @@
-// What a calibration found, as text for people and as JSON for programs and for the file of parameters.
+// What a calibration found, as text for people and as JSON for programs and for the file of
+// parameters.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Checks sources, scripts and pages by docs/STYLE.md. Each fault is one line, 'FILE:LINE: what is wrong'.
-# usage: tools/check_style.sh [FOLDER]
+# Checks sources, scripts and pages by docs/STYLE.md. Each fault is one line, 'FILE:LINE: what is
+# wrong'. usage: tools/check_style.sh [FOLDER]
 #   FOLDER   the project to check (default: this one)
 # Ends with 1 if there is any fault. shellcheck and clang-format 14 are used if they are installed.
 # shellcheck disable=SC2016,SC2046  # code of awk; lists of files without spaces in their names
@@ -21,7 +21,8 @@ for folder in datasets luts runtime train tools tests cmake docs; do
   if [ -d "$folder" ]; then folders="$folders $folder"; fi
 done
 
-# files PATTERN...: the files of the project with such names, but baked headers, which are generated.
+# files PATTERN...: the files of the project with such names, but baked headers, which are
+# generated.
 files() {
   for pattern in "$@"; do
     # shellcheck disable=SC2086 # a list of folders
@@ -30,7 +31,8 @@ files() {
   done | sort
 }
 
-# Lines of at most 100 columns, in scripts and CMake files 120. Pages may have longer tables, links and code.
+# Lines of at most 100 columns, in scripts and CMake files 120. Pages may have longer tables, links
+# and code.
 width() {
   awk 'FNR == 1 { fence = marked = 0; most = FILENAME ~ /[.](h|cpp|md)$/ ? 100 : 120 }
     FILENAME ~ /\.md$/ {

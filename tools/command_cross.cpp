@@ -1,4 +1,5 @@
-// warplut cross: LUTs in the loop of super resolution, at upscale factors that they were trained for and at others.
+// warplut cross: LUTs in the loop of super resolution, at upscale factors that they were trained
+// for and at others.
 #include <fmt/format.h>
 
 #include <algorithm>

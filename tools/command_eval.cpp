@@ -1,4 +1,5 @@
-// warplut eval: a LUT against other filters, under protocols of repeated warps; or methods on sequences.
+// warplut eval: a LUT against other filters, under protocols of repeated warps; or methods on
+// sequences.
 #include <fmt/format.h>
 
 #include <algorithm>

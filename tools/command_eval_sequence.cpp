@@ -48,8 +48,8 @@ MethodList JudgedMethods(const std::vector<std::string>& modes) {
   return methods;
 }
 
-// One sequence in memory: what is judged by, which is also what methods that see every frame run on, and what methods that
-// generate run on.
+// One sequence in memory: what is judged by, which is also what methods that see every frame run
+// on, and what methods that generate run on.
 struct LoadedSequence {
   std::string name;
   std::vector<std::string> notes;

@@ -11,7 +11,8 @@
 
 namespace warplut {
 
-// What --target, --pictures, --markdown and --json give is shared with the part that judges on images.
+// What --target, --pictures, --markdown and --json give is shared with the part that judges on
+// images.
 struct SequenceEvalArguments {
   std::vector<std::string> sequences;
   std::vector<std::string> modes = {"sr"};
@@ -25,7 +26,8 @@ struct SequenceEvalArguments {
   bool json = false;
 };
 
-// Adds --sequence (returned), --modes, --every, --border, --settled and the options of tables and pipelines.
+// Adds --sequence (returned), --modes, --every, --border, --settled and the options of tables and
+// pipelines.
 CLI::Option* AddSequenceOptions(CLI::App& eval, SequenceEvalArguments* arguments);
 
 ExitCode RunSequenceEval(const SequenceEvalArguments& arguments);

@@ -186,8 +186,9 @@ void AddRunCommand(CLI::App& app, CommandRun* run) {
     modes += fmt::format("{}{}: {}", modes.empty() ? "" : "; ", method.name, method.meaning);
   }
   command
-      ->add_option("--mode", a.modes,
-                   "Methods to run, separated by commas; several write into OUT/MODE each: " + modes)
+      ->add_option(
+          "--mode", a.modes,
+          "Methods to run, separated by commas; several write into OUT/MODE each: " + modes)
       ->delimiter(',')
       ->required();
   command->add_option("--sequence", a.sequence, "Sequence to read: a sequence.json or its folder")

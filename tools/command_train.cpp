@@ -212,10 +212,11 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
       ->capture_default_str();
   command->add_option("--gain-bound", options.gain_bound,
                       "Largest gain of any node (default: by horizons)");
-  command->add_option("--pan-share", options.pan_share,
-                      fmt::format("Share of pans in the objective, in [0, 1) (default: "
-                                  "{:.2f}, {} with 16 taps and --prefilter none, {} with --objective sr)",
-                                  kPanShare, kPlainPanShare, kSrPanShare));
+  command->add_option(
+      "--pan-share", options.pan_share,
+      fmt::format("Share of pans in the objective, in [0, 1) (default: "
+                  "{:.2f}, {} with 16 taps and --prefilter none, {} with --objective sr)",
+                  kPanShare, kPlainPanShare, kSrPanShare));
   command->add_option("--aliasing", options.aliasing,
                       fmt::format("Noise of samples by aliasing, in output pixels, for --objective "
                                   "sr (default: {})",

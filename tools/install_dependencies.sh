@@ -1,12 +1,13 @@
 #!/bin/sh
-# Installs what the build needs from Debian, if any of it is missing. Needs no network when nothing is missing.
-# usage: tools/install_dependencies.sh [--list | --arm64]
+# Installs what the build needs from Debian, if any of it is missing. Needs no network when nothing
+# is missing. usage: tools/install_dependencies.sh [--list | --arm64]
 #   --list    prints the packages and installs nothing
 #   --arm64   instead installs what builds the runtime for 64-bit ARM and runs its tests
 # shellcheck disable=SC2086  # lists of packages are split on purpose
 set -eu
 
-# The one list of packages. openimageio-tools: the CMake package of libopenimageio-dev names its programs.
+# The one list of packages. openimageio-tools: the CMake package of libopenimageio-dev names its
+# programs.
 packages="
   g++ cmake ninja-build
   libceres-dev libeigen3-dev

@@ -39,7 +39,8 @@ struct FrameRange {
   int count = 0;
 };
 
-// "A:B", frame numbers, both included; empty stands for all. Error: something else, or frames that the sequence does not have.
+// "A:B", frame numbers, both included; empty stands for all. Error: something else, or frames that
+// the sequence does not have.
 FrameRange ParseFrames(const std::string& text, const Sequence& sequence);
 
 // The formats that a history can have, by name.
@@ -61,12 +62,14 @@ class Pipeline {
   // The filter's name: of the table, or as it was given.
   const std::string& filter_name() const { return filter_name_; }
 
-  // A sentence if the LUT was fitted for another upscale factor than that of the sequence, and what that costs.
+  // A sentence if the LUT was fitted for another upscale factor than that of the sequence, and what
+  // that costs.
   std::optional<std::string> ScaleWarning(const Sequence& sequence) const;
 
-  // The frames of the range with the streams that the methods take and `more`, texels taken if asked for. Composed
-  // motion is filtered as the arguments say, or not at all (`raw_motion`: the filter itself is looked into). Error if the
-  // sequence lacks a stream (LoadFrame), or as TakeTexels.
+  // The frames of the range with the streams that the methods take and `more`, texels taken if
+  // asked for. Composed motion is filtered as the arguments say, or not at all (`raw_motion`: the
+  // filter itself is looked into). Error if the sequence lacks a stream (LoadFrame), or as
+  // TakeTexels.
   Clip Load(const Sequence& sequence, const FrameRange& range,
             const std::vector<const MethodInfo*>& methods, Streams more, int every,
             bool raw_motion = false) const;

@@ -20,7 +20,8 @@ void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments);
 CLI::Option* AddSettledOption(CLI::App& command, int* settled);
 
 // Reads the sequence for a command that runs these methods: the manifest, and a warning where the
-// LUT was fitted for another scale and one of them keeps a history, whose warps depend on the scale.
+// LUT was fitted for another scale and one of them keeps a history, whose warps depend on the
+// scale.
 Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path,
                          const std::vector<const MethodInfo*>& methods);
 

@@ -1,4 +1,5 @@
-// Progress of long work on standard error: share done, rate, time left. Silent unless that is a terminal.
+// Progress of long work on standard error: share done, rate, time left. Silent unless that is a
+// terminal.
 #pragma once
 
 #include <chrono>
@@ -13,7 +14,8 @@ namespace warplut {
 std::string ProgressLine(const std::string& label, double done, double total,
                          const std::string& unit, double seconds, const std::string& note);
 
-// Shows the line while work goes on, and clears it in the end. Update may be called from any thread.
+// Shows the line while work goes on, and clears it in the end. Update may be called from any
+// thread.
 class Progress {
  public:
   Progress(std::string label, double total, std::string unit);

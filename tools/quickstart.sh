@@ -1,12 +1,14 @@
 #!/bin/sh
-# From a bare Debian to a trained, baked and judged x2 resampler (a table with its prefilter) and a calibrated pipeline
-# that uses it, in about 10 minutes on 2 cores.
+# From a bare Debian to a trained, baked and judged x2 resampler (a table with its prefilter) and a
+# calibrated pipeline that uses it, in about 10 minutes on 2 cores.
 # usage: tools/quickstart.sh [--data DIR] [OUT]
-#   --data DIR   also judge the LUT on the sequences and image folders in DIR (default: $WARPLUT_DATA)
+#   --data DIR   also judge the LUT on the sequences and image folders in DIR
+#                (default: $WARPLUT_DATA)
 #   OUT          where everything goes (default: out/quickstart)
-# Steps that are complete are skipped when it runs again; remove OUT to start anew. Ends with 3 if the resampler misses a
-# target, and names the targets that it missed: better than the spline with k = 1/84 after 6, 12, 24 and 64 warps by half a pixel, by random offsets and in
-# pans, and by more than 0.002 SSIM in the mean of these twelve.
+# Steps that are complete are skipped when it runs again; remove OUT to start anew. Ends with 3 if
+# the resampler misses a target, and names the targets that it missed: better than the spline with
+# k = 1/84 after 6, 12, 24 and 64 warps by half a pixel, by random offsets and in pans, and by more
+# than 0.002 SSIM in the mean of these twelve.
 set -eu
 
 data=${WARPLUT_DATA:-}
@@ -53,7 +55,8 @@ newline='
 '
 
 begun=$(date +%s)
-# step NAME COMMAND...: runs the command unless it was completed before with the same words, and tells its time.
+# step NAME COMMAND...: runs the command unless it was completed before with the same words, and
+# tells its time.
 step() {
   step_name=$1
   shift
@@ -83,7 +86,8 @@ render() { # render SELECTION FRAMES SAMPLES
     --streams color,reference > "$out/render-$1.log"
 }
 
-# The work is counted in evaluations, so that the result does not depend on the speed of the machine.
+# The work is counted in evaluations, so that the result does not depend on the speed of the
+# machine.
 train() {
   resume=
   if [ -f "$out/$name.json.checkpoint" ]; then resume=--resume; fi
@@ -145,7 +149,8 @@ judge_pipeline() {
   mv "$out/tables/quickstart-pipeline.part" "$out/tables/quickstart-pipeline.md"
 }
 
-# The example program, compiled against the header that was baked just now instead of the one that ships.
+# The example program, compiled against the header that was baked just now instead of the one that
+# ships.
 example() {
   mkdir -p "$out/include/luts/baked"
   cp "$out/baked/$name.h" "$out/include/luts/baked/"

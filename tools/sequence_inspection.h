@@ -18,7 +18,8 @@ struct StreamInspection {
   double least = 0;
   double greatest = 0;
   double mean = 0;
-  std::int64_t infinite = 0;  // values that are, which do not count in these: background, or linear colour
+  // values that are, which do not count in these: background, or linear colour
+  std::int64_t infinite = 0;
   std::vector<std::string> problems;  // one sentence for each frame that could not be loaded
 };
 

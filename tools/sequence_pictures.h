@@ -23,8 +23,9 @@ struct PictureWindow {
   int image_width = 0, image_height = 0;  // of the image that it lies in
 };
 
-// Finds the windows of the frames that one method is judged by where its squared error is largest, and those where most was just
-// revealed (WasVisible, train/metrics/temporal_error.h). Windows lie on a grid of half their side; those of a kind are of different frames.
+// Finds the windows of the frames that one method is judged by where its squared error is largest,
+// and those where most was just revealed (WasVisible, train/metrics/temporal_error.h). Windows lie
+// on a grid of half their side; those of a kind are of different frames.
 class WindowChooser {
  public:
   // `truth` as for SequenceJudge; it outlives the chooser.
@@ -32,7 +33,8 @@ class WindowChooser {
 
   void Add(const ShownFrame& shown);
 
-  // The heaviest first, of errors and then of disocclusions; windows that weigh nothing are left out.
+  // The heaviest first, of errors and then of disocclusions; windows that weigh nothing are left
+  // out.
   std::vector<PictureWindow> Windows() const;
 
  private:
@@ -49,7 +51,8 @@ class SequencePictures {
 
   void Add(const std::string& method, const ShownFrame& shown);
 
-  // Writes FOLDER/SEQUENCE-NUMBER-KIND.png for each and returns one line for each: the file and its panels from left to right.
+  // Writes FOLDER/SEQUENCE-NUMBER-KIND.png for each and returns one line for each: the file and its
+  // panels from left to right.
   std::vector<std::string> Write(const std::filesystem::path& folder) const;
 
  private:

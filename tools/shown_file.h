@@ -11,13 +11,13 @@ namespace warplut {
 
 enum class ShownFormat : std::uint8_t { kPng, kExr };
 
-// The name of a frame shown at `time`, counted from the frame that has the number `first`: "0011.png" where it falls on a
-// number, else the number before it and the thousandths after it, "0010_500.png". In the order of names is in the order of
-// time up to 9999.
+// The name of a frame shown at `time`, counted from the frame that has the number `first`:
+// "0011.png" where it falls on a number, else the number before it and the thousandths after it,
+// "0010_500.png". In the order of names is in the order of time up to 9999.
 std::string ShownFileName(int first, double time, ShownFormat format);
 
-// Writes it into `folder`, atomically: 8-bit .png or half-float .exr, R, G, B. An Error names the file; one frame of a linear
-// sequence as .png is such an error, as it does not fit into [0, 1].
+// Writes it into `folder`, atomically: 8-bit .png or half-float .exr, R, G, B. An Error names the
+// file; one frame of a linear sequence as .png is such an error, as it does not fit into [0, 1].
 void WriteShownFrame(const std::filesystem::path& folder, int first, const ShownFrame& shown,
                      ColorEncoding encoding, ShownFormat format);
 

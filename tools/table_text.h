@@ -6,7 +6,8 @@
 
 namespace warplut {
 
-// Rows may be shorter than the header; missing cells are empty. The first column is aligned left, the others right.
+// Rows may be shorter than the header; missing cells are empty. The first column is aligned left,
+// the others right.
 struct TextTable {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;

@@ -1,9 +1,11 @@
 #!/bin/sh
-# Installs what is missing, builds and runs every test. The last line is 'N passed, N failed, N skipped'.
-# usage: tools/test.sh [--full | --arm64]
-#   --full    also builds and tests under the sanitizers and the runtime alone, as continuous integration does
+# Installs what is missing, builds and runs every test. The last line is 'N passed, N failed, N
+# skipped'. usage: tools/test.sh [--full | --arm64]
+#   --full    also builds and tests under the sanitizers and the runtime alone, as continuous
+#             integration does
 #   --arm64   instead builds the runtime alone for 64-bit ARM and runs its tests in QEMU
-# A build that fails counts as one failed test. Tests on recorded sequences run if WARPLUT_DATA names their folder.
+# A build that fails counts as one failed test. Tests on recorded sequences run if WARPLUT_DATA
+# names their folder.
 set -eu
 cd "$(dirname "$0")/.."
 

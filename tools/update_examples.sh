@@ -1,8 +1,10 @@
 #!/bin/sh
 # Puts the programs of runtime/example into the pages that show them.
 # usage: tools/update_examples.sh [--check]
-#   --check   changes nothing; names the pages that differ from the files, and ends with 1 if any does
-# The text between '<!-- file: PATH -->' and '<!-- end -->' becomes a code block with the text of PATH.
+#   --check   changes nothing; names the pages that differ from the files, and ends with 1 if any
+#             does
+# The text between '<!-- file: PATH -->' and '<!-- end -->' becomes a code block with the text of
+# PATH.
 set -eu
 
 case "${1:-}" in

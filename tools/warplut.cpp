@@ -1,4 +1,5 @@
-// The program `warplut`: parses the command line, runs one subcommand, turns every failure into one sentence.
+// The program `warplut`: parses the command line, runs one subcommand, turns every failure into one
+// sentence.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>

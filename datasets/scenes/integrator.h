@@ -22,11 +22,13 @@ struct Path {
   Vec3d mirror_normal = Vec3d::Zero();
 };
 
-// One frame of a world. Positions are (u, v) in [0, 1]^2 as in Lens; the methods may run in any threads.
+// One frame of a world. Positions are (u, v) in [0, 1]^2 as in Lens; the methods may run in any
+// threads.
 class Integrator {
  public:
-  // time: of the frame, seconds; shot: its take. The frame before is one kFrameSeconds earlier in the
-  // same take. aspect: width / height. footprint: angle over which textures are averaged, radians.
+  // time: of the frame, seconds; shot: its take. The frame before is one kFrameSeconds earlier in
+  // the same take. aspect: width / height. footprint: angle over which textures are averaged,
+  // radians.
   Integrator(const World& world, const Tracer& tracer, double time, int shot, double aspect,
              double footprint);
 

@@ -53,7 +53,8 @@ struct Surface {
   Rgb emission = Rgb(0, 0, 0);
 };
 
-// uv and footprint in metres; variation tells instances of a mesh apart; time in seconds moves the water only.
+// uv and footprint in metres; variation tells instances of a mesh apart; time in seconds moves the
+// water only.
 Surface Evaluate(const Material& material, Vec2f uv, float footprint, std::uint32_t variation,
                  float time);
 

@@ -1,6 +1,7 @@
 // Triangle meshes and the builders that the scenes are made from.
 //
-// Texture coordinates are metres on the surface, so that a footprint in metres is one in texture space.
+// Texture coordinates are metres on the surface, so that a footprint in metres is one in texture
+// space.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// A square that stands still while the light does not: a moving sun, passing clouds, shadows of turning things.
+// A square that stands still while the light does not: a moving sun, passing clouds, shadows of
+// turning things.
 #include "datasets/scenes/builtin.h"
 #include "datasets/scenes/props.h"
 

@@ -40,8 +40,8 @@ Vec2d SubPixel(std::uint32_t index, std::uint32_t pixel) {
   return {(x ^ pixel) * 0x1p-32, (y ^ scenes::Hash(pixel)) * 0x1p-32};
 }
 
-// Where in the image sample `index` of pixel (x, y) lies: drawn from the pixel filter, so that the plain mean of the
-// samples is the filtered value.
+// Where in the image sample `index` of pixel (x, y) lies: drawn from the pixel filter, so that the
+// plain mean of the samples is the filtered value.
 Vec2d SamplePosition(int x, int y, std::uint32_t index, std::uint32_t pixel) {
   const Vec2d u = SubPixel(index, pixel);
   const double radius = kPixelFilterSigma * std::sqrt(-2 * std::log(1 - u.x()));

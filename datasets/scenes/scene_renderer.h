@@ -39,38 +39,45 @@ struct RenderOptions {
   bool IsValid(std::string* why) const;
 };
 
-// The standard deviation of the reference's pixel filter, a Gaussian, in pixels. A box is sharper than what games show:
-// engines resolve with filters of 2 to 4 pixels (Karis 2014 uses a Gaussian fitted to a Blackman-Harris window of 3.3).
-// This width gives the detail of real game frames, see docs/SCENES.md.
+// The standard deviation of the reference's pixel filter, a Gaussian, in pixels. A box is sharper
+// than what games show: engines resolve with filters of 2 to 4 pixels (Karis 2014 uses a Gaussian
+// fitted to a Blackman-Harris window of 3.3). This width gives the detail of real game frames, see
+// docs/SCENES.md.
 inline constexpr double kPixelFilterSigma = 0.60;
 
 // Renders the frames of one scene.
 //
-// reference   mean of `samples` samples that are distributed as the pixel filter, each tone-mapped to display values
-//             before the mean, as a resolved, temporally antialiased frame is. Linear: mean with the weights
-//             ToneMapFactor (datasets/tone_map.h), which is that of samples tone-mapped so, brought back.
-// color       one sample per pixel, at (i + 0.5 + x, j + 0.5 + y) of the render grid with (x, y) the jitter. Textures
-//             are as detailed as on the output grid (mip bias).
-// depth       view depth over the far plane; of the mirror's surface where a mirror is seen; sky 1. Of the same sample
-//             as color on the render grid, of the pixel centre on the output grid.
-// motion      where depth is; exact to float rounding, also for the sky and for what a mirror shows (one bounce).
-//             Frame 0 has the motion since time -1/30 s, at which every scene is defined; 0 at a cut. What was behind
-//             the previous camera gets (2 width, 2 height): a previous position outside the image.
+// reference   mean of `samples` samples that are distributed as the pixel filter, each tone-mapped
+//             to display values before the mean, as a resolved, temporally antialiased frame is.
+//             Linear: mean with the weights ToneMapFactor (datasets/tone_map.h), which is that of
+//             samples tone-mapped so, brought back.
+// color       one sample per pixel, at (i + 0.5 + x, j + 0.5 + y) of the render grid with (x, y)
+//             the jitter. Textures are as detailed as on the output grid (mip bias).
+// depth       view depth over the far plane; of the mirror's surface where a mirror is seen; sky 1.
+//             Of the same sample as color on the render grid, of the pixel centre on the output
+//             grid.
+// motion      where depth is; exact to float rounding, also for the sky and for what a mirror shows
+//             (one bounce). Frame 0 has the motion since time -1/30 s, at which every scene is
+//             defined; 0 at a cut. What was behind the previous camera gets (2 width, 2 height): a
+//             previous position outside the image.
 class SceneRenderer {
  public:
-  // Throws Error when no scene has this name (the sentence lists those that exist) or the options are invalid.
+  // Throws Error when no scene has this name (the sentence lists those that exist) or the options
+  // are invalid.
   SceneRenderer(const std::string& scene_name, const RenderOptions& options);
   ~SceneRenderer();
   SceneRenderer(SceneRenderer&&) noexcept;
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
-  // Frame `index`, 0 <= index < frames, else throws Error. Frames are independent: any order, any thread.
+  // Frame `index`, 0 <= index < frames, else throws Error. Frames are independent: any order, any
+  // thread.
   Frame Render(int index) const;
 
   const RenderOptions& options() const;
   int render_width() const;
   int render_height() const;
-  // One jitter cycle, JitterCycle(scale) of datasets/jitter.h. Frame f uses offset f modulo the length.
+  // One jitter cycle, JitterCycle(scale) of datasets/jitter.h. Frame f uses offset f modulo the
+  // length.
   std::vector<Vec2> Jitter() const;
   // Frames that share nothing with the one before.
   std::vector<int> Cuts() const;

@@ -34,7 +34,8 @@ Rgb Haze(const Light& light, const Rgb& radiance, float distance);
 // Radiance at the exposure of a film or a game: 1 is about as bright as white paper in the sun.
 Rgb Exposed(const Rgb& radiance, float exposure);
 
-// Exposed light to display values in [0, 1]: the ACES fit of K. Narkowicz (2015), then the sRGB curve.
+// Exposed light to display values in [0, 1]: the ACES fit of K. Narkowicz (2015), then the sRGB
+// curve.
 Rgb DisplayCurve(const Rgb& exposed);
 
 }  // namespace warplut::scenes

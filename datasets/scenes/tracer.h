@@ -26,7 +26,8 @@ class Tracer {
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  // The objects at one moment: transforms[i] places world.objects[i]. Queries may run in any threads.
+  // The objects at one moment: transforms[i] places world.objects[i]. Queries may run in any
+  // threads.
   class Moment {
    public:
     Moment(const Tracer& tracer, const std::vector<Transform>& transforms);

@@ -1,4 +1,5 @@
-// A scene as the renderer sees it: meshes placed in space and time, their materials, the light, the camera.
+// A scene as the renderer sees it: meshes placed in space and time, their materials, the light, the
+// camera.
 #pragma once
 
 #include <functional>
@@ -17,7 +18,8 @@ namespace warplut::scenes {
 // Time between frames, seconds.
 inline constexpr double kFrameSeconds = 1.0 / 30;
 
-// One placed mesh. Its transform at time t is motion(t) * placement; without motion it stands still.
+// One placed mesh. Its transform at time t is motion(t) * placement; without motion it stands
+// still.
 struct Object {
   int mesh = 0;
   Transform placement = Transform::Identity();
@@ -31,7 +33,8 @@ struct World {
   std::vector<Material> materials;
   std::vector<std::unique_ptr<const Text>> texts;
   std::vector<Object> objects;
-  // Camera of shot `shot` at a time in seconds; frame 0 is time 0, and the frame before it is asked for too.
+  // Camera of shot `shot` at a time in seconds; frame 0 is time 0, and the frame before it is asked
+  // for too.
   std::function<View(double time, int shot)> camera;
   std::function<Light(double time)> light = [](double) { return Light{}; };
   int shots = 1;  // takes of equal length, with a camera cut between

@@ -13,7 +13,8 @@ namespace warplut {
 // camel case, with _ kept between digits (warplut_x1_3 -> kWarplutX1_3).
 std::string BakedConstant(const std::string& name);
 
-// The text of NAME.h: banner, provenance and certificate as comments, then the values and their TableView.
+// The text of NAME.h: banner, provenance and certificate as comments, then the values and their
+// TableView.
 std::string BakedHeader(const Fit& fit, const TableView& table, const Certificate& certificate);
 
 }  // namespace warplut

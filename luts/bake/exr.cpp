@@ -49,7 +49,8 @@ std::string EncodeExr(const Image& image) {
   file += Attribute("screenWindowWidth", "float", BytesOf(1.0f));
   file += '\0';
 
-  // Each scan line: its y, its length in bytes, its pixels. Before them the offset of each in the file.
+  // Each scan line: its y, its length in bytes, its pixels. Before them the offset of each in the
+  // file.
   const int line_bytes = image.width * 4;
   std::uint64_t offset = file.size() + static_cast<std::uint64_t>(image.height) * 8;
   for (int y = 0; y < image.height; ++y) {

@@ -39,7 +39,8 @@ void CheckRow(const RealTable& table, int ix, int jy) {
   }
 }
 
-// The cells on both sides of a border must agree on it: column 1 at dx = 1 is column 0 at dx = 0, and so for dy.
+// The cells on both sides of a border must agree on it: column 1 at dx = 1 is column 0 at dx = 0,
+// and so for dy.
 void CheckSeam(const RealTable& table) {
   for (int i = 0; i <= kLast; ++i) {
     for (int t = kFirstTap; t < kFirstTap + kTaps; ++t) {

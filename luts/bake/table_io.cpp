@@ -43,7 +43,8 @@ LoadedTable FromTableJson(JsonFields fields, const std::string& file) {
   ExpectInteger(fields, "nodes", kNodes);
   const TableFormat format = fields.OneOf("storage", kStorages);
   ExpectInteger(fields, "fraction_bits", FractionBits(format));
-  // What made the table and what it promises is for people; both follow from the values and the fit.
+  // What made the table and what it promises is for people; both follow from the values and the
+  // fit.
   fields.Object("provenance");
   fields.Object("certificate");
   const JsonPlace place = fields.At("values");

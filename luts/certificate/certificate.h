@@ -16,7 +16,8 @@ namespace warplut {
 // The growth of a frequency's amplitude that still counts as bounded.
 inline constexpr double kSafeGrowth = 2;
 
-// Gains of at most 1 + kUnitGainTolerance count as 1: they never reach kSafeGrowth in half a million warps.
+// Gains of at most 1 + kUnitGainTolerance count as 1: they never reach kSafeGrowth in half a
+// million warps.
 inline constexpr double kUnitGainTolerance = 1e-6;
 
 // The default share of the current frame in the accumulation loop.
@@ -42,7 +43,8 @@ struct Certificate {
   std::vector<LookupError> lookup_errors;
 };
 
-// The largest N with gain^N <= kSafeGrowth; none if the gain is at most 1 + kUnitGainTolerance. gain >= 0.
+// The largest N with gain^N <= kSafeGrowth; none if the gain is at most 1 + kUnitGainTolerance.
+// gain >= 0.
 std::optional<std::int64_t> SafeWarps(double gain);
 
 // Of a checked table, as stored; blend in [0, 1] (not checked).
@@ -52,7 +54,8 @@ Stability CertifyStability(const TableView& table, double blend = kDefaultBlend)
 // if the fit cannot be quantised.
 Certificate Certify(const Fit& fit, TableFormat format, double blend = kDefaultBlend);
 
-// For files: real numbers are rounded to 6 decimals, so that rounding in the last bit of a double leaves no trace.
+// For files: real numbers are rounded to 6 decimals, so that rounding in the last bit of a double
+// leaves no trace.
 nlohmann::ordered_json ToJson(const Certificate& certificate);
 
 }  // namespace warplut

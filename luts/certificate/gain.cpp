@@ -136,7 +136,8 @@ class FrequencyGrid {
   double best_ = 0;
 };
 
-// Walks uphill among the 8 neighbours at a distance that is halved where none is higher; `gain` holds |H|^2.
+// Walks uphill among the 8 neighbours at a distance that is halved where none is higher; `gain`
+// holds |H|^2.
 Gain Climb(const Transfer& transfer, const Prefilter& prefilter, Gain from) {
   for (double step = kGridStep / 2; step > kSearchEnd;) {
     Gain best = from;

@@ -31,9 +31,9 @@ double GainAt(const Weights<double>& w, double fx, double fy, const Prefilter& p
 Gain MaxGain(const Weights<double>& w, const Prefilter& prefilter = {});
 
 // A maximum of |H|^2 loses at most this fraction at the nearest grid frequency: |H|^2 is a
-// trigonometric polynomial of degree 3 in each axis of 16 taps, so that by Bernstein its second derivative
-// along a step (s, s) is at most (6 s)^2 times its maximum, and the nearest grid frequency is at
-// most s = pi / 64 away in each axis: (6 pi / 64)^2 / 2 = 0.0434.
+// trigonometric polynomial of degree 3 in each axis of 16 taps, so that by Bernstein its second
+// derivative along a step (s, s) is at most (6 s)^2 times its maximum, and the nearest grid
+// frequency is at most s = pi / 64 away in each axis: (6 pi / 64)^2 / 2 = 0.0434.
 inline constexpr double kGridLoss = 0.0434;
 // The same of 24 and 36 taps, a polynomial of degree 5: (10 pi / 64)^2 / 2.
 inline constexpr double kWideGridLoss = 0.1205;

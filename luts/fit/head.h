@@ -2,28 +2,34 @@
 //
 //   F(d)    = mean over the 8 symmetries g of g^-1 f(g d), with f(d) the MLP's raw values, one for
 //           each tap: equivariant everywhere, also at offsets that a symmetry leaves in place
-//   r(d)    = M(d) F(d), the residual: M masks each tap so that the residual vanishes where the contract
-//           wants zeros (outer taps fade with 4 d (1 - d), inner ones with the distance to the other inner tap)
+//   r(d)    = M(d) F(d), the residual: M masks each tap so that the residual vanishes where the
+//           contract wants zeros (outer taps fade with 4 d (1 - d), inner ones with the distance to
+//           the other inner tap)
 //   w(d)    = C(d) + r(d) - m B(d) - m_x G_x(d) - m_y G_y(d), with C Catmull-Rom and B bilinear
 //           weights
 //
-// m is the sum of r; m_x and m_y are its first moments about d, the sums of r_k (tap_k - d). G_x is the difference
-// (0, -1, 1, 0) along x times the bilinear weights along y: it sums to 0 and has first moment 1; G_y alike.
+// m is the sum of r; m_x and m_y are its first moments about d, the sums of r_k (tap_k - d). G_x is
+// the difference (0, -1, 1, 0) along x times the bilinear weights along y: it sums to 0 and has
+// first moment 1; G_y alike.
 //
-// Hence, for any parameters: the 8 symmetries hold; the weights sum to 1; their first moment is d, so that a ramp is
-// moved by exactly d and nothing drifts when the same offset repeats (a pan); d = 0 is the identity; and a node with
-// dx = 0 (dy = 0) has weights in one column (row) only, so that neighbouring cells meet without a seam.
+// Hence, for any parameters: the 8 symmetries hold; the weights sum to 1; their first moment is d,
+// so that a ramp is moved by exactly d and nothing drifts when the same offset repeats (a pan);
+// d = 0 is the identity; and a node with dx = 0 (dy = 0) has weights in one column (row) only, so
+// that neighbouring cells meet without a seam.
 //
-// Of 24 and 36 taps C are the weights of their wide kernel (luts/wide_kernel.h), and m_x and m_y are left out: what
-// closes the first moment of weights that reach so far costs more at the frequencies that images have than it gains.
+// Of 24 and 36 taps C are the weights of their wide kernel (luts/wide_kernel.h), and m_x and m_y
+// are left out: what closes the first moment of weights that reach so far costs more at the
+// frequencies that images have than it gains.
 //
-// With a prefilter of side s (luts/prefilter.h) C is the spline of that side in place of Catmull-Rom, and
+// With a prefilter of side s (luts/prefilter.h) C is the spline of that side in place of
+// Catmull-Rom, and
 //
 //   r(d) = fade(d) R(dx) F(d) R(dy)^T,   fade(d) = 1 - (1 - 2 dx)^2 (1 - 2 dy)^2
 //
-// with F as a 4 x 4 array. R adds to the masked taps a bend (1, -2, 1) about tap 0, by what tap -1 has, and about tap 1,
-// by what tap 2 has, so that a node with dx = 0 has equal weights in the columns 0 and 2 and none in column 3. The fade
-// is 0 where both axes are whole: there the prefilter, then the weights, are the identity.
+// with F as a 4 x 4 array. R adds to the masked taps a bend (1, -2, 1) about tap 0, by what tap -1
+// has, and about tap 1, by what tap 2 has, so that a node with dx = 0 has equal weights in the
+// columns 0 and 2 and none in column 3. The fade is 0 where both axes are whole: there the
+// prefilter, then the weights, are the identity.
 #pragma once
 
 #include "luts/filters.h"
@@ -63,8 +69,8 @@ constexpr HeadMatrix<T> HeadSpread(T d) {
            {T(0), T(0), T(0), mask[4] + d}}};
 }
 
-// What the head does at one offset, linear in F: w = base + P F. Project and its transpose serve the forward pass and
-// the gradient.
+// What the head does at one offset, linear in F: w = base + P F. Project and its transpose serve
+// the forward pass and the gradient.
 template <class T>
 class HeadAt {
  public:

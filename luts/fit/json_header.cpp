@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "datasets/file.h"
 #include "luts/footprint_names.h"
-#include <optional>
 namespace warplut {
 namespace {
 

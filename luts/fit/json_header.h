@@ -19,8 +19,8 @@ inline void CheckHeader(JsonFields& fields, const char* format, int version) {
   CheckHeader(fields, format, version, version);
 }
 
-// The field "taps", written where it is not 16, and read back: 16 where it is absent. An Error says what was
-// found and what was expected.
+// The field "taps", written where it is not 16, and read back: 16 where it is absent. An Error says
+// what was found and what was expected.
 void WriteFootprint(Footprint footprint, nlohmann::ordered_json& json);
 Footprint ReadFootprint(JsonFields& fields);
 

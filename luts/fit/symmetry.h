@@ -1,8 +1,8 @@
 // The 8 symmetries of the square, acting on offsets and on the taps of the window.
 //
-// A resampling filter must not care how the image is turned: if g maps offset d to g(d), the weights must
-// satisfy w(g(d))[g(k)] = w(d)[k]. Flip x maps dx to 1 - dx and tap x to 1 - x; transpose swaps the axes. Every
-// footprint is its own image.
+// A resampling filter must not care how the image is turned: if g maps offset d to g(d), the
+// weights must satisfy w(g(d))[g(k)] = w(d)[k]. Flip x maps dx to 1 - dx and tap x to 1 - x;
+// transpose swaps the axes. Every footprint is its own image.
 #pragma once
 
 #include "luts/contract.h"

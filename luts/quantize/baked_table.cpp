@@ -63,7 +63,8 @@ std::int32_t IntegerAt(const TableView& view, const std::string& name, int index
   return 0;
 }
 
-// Row (0, 0) of a table with prefilter. The middle weight is the one that closes the sum for the eight others.
+// Row (0, 0) of a table with prefilter. The middle weight is the one that closes the sum for the
+// eight others.
 void CheckWholeOffset(const IntegerRow& row, const TableView& view, const std::string& name) {
   const double side = static_cast<double>(view.prefilter.side);
   const std::array<double, kTaps> taps = {side, 1 - 2 * side, side, 0};

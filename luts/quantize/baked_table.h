@@ -10,11 +10,12 @@
 
 namespace warplut {
 
-// Integers of a table format: weight = integer / 2^FractionBits(format), in [-2, 2). Of a whole window: 0 where the
-// footprint has no tap.
+// Integers of a table format: weight = integer / 2^FractionBits(format), in [-2, 2). Of a whole
+// window: 0 where the footprint has no tap.
 using IntegerRow = Weights<std::int32_t>;
 
-// Owns TableValues(footprint) stored weights. The alternatives are in the order of TableFormat; a half is kept as its bits.
+// Owns TableValues(footprint) stored weights. The alternatives are in the order of TableFormat; a
+// half is kept as its bits.
 class BakedTable {
  public:
   // Stores the footprint's taps of `rows` (kRows of them, each integer one that `format` can hold).
@@ -42,9 +43,10 @@ std::vector<IntegerRow> TableIntegers(const TableView& view, const std::string& 
 // The weights of an integer row.
 Weights<double> RealRow(const IntegerRow& row, TableFormat format);
 
-// Checks the contract: a valid prefilter, of 16 taps alone; every row sums to exactly 1; row (0, 0) belongs to the
-// prefilter (without one it is the identity); and the zeros and equal weights of nodes with dx = 0 or dy = 0. An Error
-// names `name`, the node, what was found (the sum, or the weight) and what was expected.
+// Checks the contract: a valid prefilter, of 16 taps alone; every row sums to exactly 1; row (0, 0)
+// belongs to the prefilter (without one it is the identity); and the zeros and equal weights of
+// nodes with dx = 0 or dy = 0. An Error names `name`, the node, what was found
+// (the sum, or the weight) and what was expected.
 void CheckTable(const TableView& view, const std::string& name);
 
 }  // namespace warplut

@@ -10,7 +10,8 @@
 namespace warplut {
 namespace {
 
-// The head's weights at (i, j) / kErrorOffsets, from those with 0 <= dy <= dx <= 1/2: the head has the 8 symmetries.
+// The head's weights at (i, j) / kErrorOffsets, from those with 0 <= dy <= dx <= 1/2: the head has
+// the 8 symmetries.
 class ExactWeights {
  public:
   explicit ExactWeights(const Fit& fit) : rows_((kHalf + 1) * (kHalf + 1)) {

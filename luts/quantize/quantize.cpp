@@ -39,8 +39,9 @@ void CheckRow(const RealTable& table, TableFormat format, int ix, int jy) {
   }
 }
 
-// Groups of taps that must have equal weights: those that the symmetries in `group` which leave the node in place
-// exchange, and with a prefilter those that mirror each other about a whole offset. Contract zeros are left out.
+// Groups of taps that must have equal weights: those that the symmetries in `group` which leave the
+// node in place exchange, and with a prefilter those that mirror each other about a whole offset.
+// Contract zeros are left out.
 std::vector<std::vector<int>> TapGroups(const RealTable& table, int ix, int jy, int group) {
   const int intervals = table.intervals;
   const bool prefiltered = HasPrefilter(table.prefilter);

@@ -1,4 +1,5 @@
-// Rounding that keeps a sum: integers near given numbers whose weighted sum is exactly what it must be.
+// Rounding that keeps a sum: integers near given numbers whose weighted sum is exactly what it must
+// be.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,8 @@ struct RoundingTerm {
   std::int32_t rounded = 0;  // result
 };
 
-// The integers that a term may become: those in [least, most], above `even_above` in magnitude only even ones.
+// The integers that a term may become: those in [least, most], above `even_above` in magnitude only
+// even ones.
 struct RoundingGrid {
   std::int32_t least = 0;
   std::int32_t most = 0;
@@ -27,9 +29,10 @@ struct RoundingGrid {
 // How far a term may move from its nearest integer.
 inline constexpr int kMaxRoundingStep = 2;
 
-// Sets `rounded` so that the sum of count * rounded is `total` and the sum of count * |rounded - value| is
-// least among integers within kMaxRoundingStep of the nearest ones. Exact, by dynamic programming over the
-// terms; among equals the choice is fixed. Returns false, with nothing set, where no such integers exist.
+// Sets `rounded` so that the sum of count * rounded is `total` and the sum of
+// count * |rounded - value| is least among integers within kMaxRoundingStep of the nearest ones.
+// Exact, by dynamic programming over the terms; among equals the choice is fixed. Returns false,
+// with nothing set, where no such integers exist.
 bool RoundToSum(std::int32_t total, const RoundingGrid& grid, std::vector<RoundingTerm>* terms);
 
 }  // namespace warplut

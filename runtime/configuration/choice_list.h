@@ -1,4 +1,5 @@
-// The choices of the pipeline, one entry each: what checks, copies or writes them walks these lists.
+// The choices of the pipeline, one entry each: what checks, copies or writes them walks these
+// lists.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +13,8 @@
 
 namespace warplut {
 
-// Who decides: the method (runtime/method.h), who calls it, or the format of the frames that it is given.
+// Who decides: the method (runtime/method.h), who calls it, or the format of the frames that it is
+// given.
 enum class ChoiceOwner : std::uint8_t { kMethod, kCaller, kFrames };
 
 // A member of the configuration and, by the same name, of the options.
@@ -82,7 +84,8 @@ constexpr void ForEachChoice(const std::tuple<Choices...>& list, const Visit& vi
   std::apply([&](const Choices&... choice) { (visit(choice), ...); }, list);
 }
 
-// Every member has an entry: they are of one byte each, with another that says whether there is a value.
+// Every member has an entry: they are of one byte each, with another that says whether there is a
+// value.
 template <class... Options, class... Configurations, class... T>
 constexpr std::size_t ListedBytes(
     const std::tuple<Choice<Options, Configurations, T>...>& /*list*/) {

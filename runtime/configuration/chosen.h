@@ -1,5 +1,6 @@
-// What the options of a pipeline come to, as the passes ask for it. Where the build contains one value alone (runtime/pipeline.h) an
-// answer is a constant, and the compiler leaves out what the others would need.
+// What the options of a pipeline come to, as the passes ask for it. Where the build contains one
+// value alone (runtime/pipeline.h) an answer is a constant, and the compiler leaves out what the
+// others would need.
 #pragma once
 
 #include "runtime/core/strict_math.h"

@@ -13,11 +13,12 @@
 
 namespace warplut {
 
-// Rows that go through the passes together, in buffers that stay in the cache: one row of motion tiles.
+// Rows that go through the passes together, in buffers that stay in the cache: one row of motion
+// tiles.
 inline constexpr int kBandRows = kTileHeight;
 
-// Rows [first, last) of an image. The views of a buffer that holds no others keep the coordinates of the whole image, and nothing
-// but these rows may be touched through them.
+// Rows [first, last) of an image. The views of a buffer that holds no others keep the coordinates
+// of the whole image, and nothing but these rows may be touched through them.
 struct Band {
   int first, last;
 
@@ -41,8 +42,9 @@ struct Band {
   }
 };
 
-// Calls work(band, scratch) for the bands of `band_rows` rows that `rows` rows fall into, each once. `scratch` has one entry for
-// each of the executor's threads; no two pieces that run at the same time get the same one.
+// Calls work(band, scratch) for the bands of `band_rows` rows that `rows` rows fall into, each
+// once. `scratch` has one entry for each of the executor's threads; no two pieces that run at the
+// same time get the same one.
 template <class Scratch, class Work>
 void ForEachBand(Executor& executor, int rows, int band_rows, std::vector<Scratch>& scratch,
                  const Work& work) {

@@ -1,6 +1,7 @@
-// The instruction sets that kernels are compiled for: every one that Highway can choose at run time, except ARM's SVE. Kernels hold
-// vectors in arrays and structs, which SVE's, of unknown size, cannot be in; a vector of four floats, as in NEON, fills those of
-// mobile processors with SVE2 as well. Included before Highway, which takes what is defined first.
+// The instruction sets that kernels are compiled for: every one that Highway can choose at run
+// time, except ARM's SVE. Kernels hold vectors in arrays and structs, which SVE's, of unknown size,
+// cannot be in; a vector of four floats, as in NEON, fills those of mobile processors with SVE2 as
+// well. Included before Highway, which takes what is defined first.
 #pragma once
 
 #ifndef HWY_DISABLED_TARGETS

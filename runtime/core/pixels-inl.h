@@ -104,8 +104,8 @@ HWY_INLINE void StoreWhole(PixelFormat format, const Pixels& p, void* to) {
   }
 }
 
-// Pixels x to x + kLanes of a row of which `left` (> 0) remain; lanes beyond them are arbitrary, and not stored. Channels that
-// are stored in halves lie in [0, 65504].
+// Pixels x to x + kLanes of a row of which `left` (> 0) remain; lanes beyond them are arbitrary,
+// and not stored. Channels that are stored in halves lie in [0, 65504].
 template <class Image>
 HWY_INLINE Pixels LoadPixels(const Image& image, int x, int y, int left) {
   if (left >= kLanes) return LoadWhole(image.format, image.At(x, y));
@@ -143,8 +143,8 @@ HWY_INLINE void MixRows(const float* HWY_RESTRICT upper, const float* HWY_RESTRI
   }
 }
 
-// Takes the values of a render row that belong to kLanes output columns from x on: as the columns are dense, they mostly lie in
-// one vector.
+// Takes the values of a render row that belong to kLanes output columns from x on: as the columns
+// are dense, they mostly lie in one vector.
 class Columns {
  public:
   // `index` ascends; columns beyond the image repeat indices that exist.

@@ -72,8 +72,8 @@ HWY_INLINE void StorePlanes(const ColorPlanes& from, int count, int x, int y,
   StoreChannels(out.format, channels, 4 * count, out.At(x, y));
 }
 
-// DepthBits of the 3 x 3 pixels around kLanes pixels that follow each other from (x, y) on, the least of each; columns x - 1 to
-// x + kLanes lie in the image.
+// DepthBits of the 3 x 3 pixels around kLanes pixels that follow each other from (x, y) on, the
+// least of each; columns x - 1 to x + kLanes lie in the image.
 HWY_INLINE auto LeastDepthBits(const ImageView& depth, int x, int y) {
   const FloatTag d;
   const hn::RebindToUnsigned<FloatTag> du;

@@ -24,18 +24,19 @@ inline float Brightness(const Rgb& v) {
          kBrightnessWeights[2] * v.c[2];
 }
 
-// Share of frame 1 at pixel (x, y), whose motion and warped colours are given: InterpolationShare of the depths at the source
-// positions and of the brightness. The depth is the least of the 3 x 3 pixels around: pixels beside the foreground hold some of its
-// colour, and where the other frame shows the background clear of it that frame is taken. A source position outside of the image gives way to the other
-// one; if both are, the nearer frame in time counts.
+// Share of frame 1 at pixel (x, y), whose motion and warped colours are given: InterpolationShare
+// of the depths at the source positions and of the brightness. The depth is the least of the 3 x 3
+// pixels around: pixels beside the foreground hold some of its colour, and where the other frame
+// shows the background clear of it that frame is taken. A source position outside of the image
+// gives way to the other one; if both are, the nearer frame in time counts.
 float FrameShare(const GenerationJob& job, int x, int y, Vector from0, Vector from1,
                  float brightness0, float brightness1);
 
 // A brightness difference beyond every T_B: what stands for it without a brightness gate.
 inline constexpr float kUnlike = 4.0f;
 
-// A pixel of a display-encoded image, or of codes, limited to [0, 1], NaN as 0; of a linear HDR image, limited as LimitHdr does;
-// and back.
+// A pixel of a display-encoded image, or of codes, limited to [0, 1], NaN as 0; of a linear HDR
+// image, limited as LimitHdr does; and back.
 inline Rgb LoadRgb(PixelFormat format, const void* pixel) {
   Rgb color;
   for (int i = 0; i < 3; ++i) {
@@ -56,7 +57,8 @@ inline void StoreRgb(const Rgb& color, PixelFormat format, void* pixel) {
   StoreChannel(format, ChannelScale(format), pixel, 3);
 }
 
-// The warped frames and the motion they were warped by; what of them lies in the row that is blended.
+// The warped frames and the motion they were warped by; what of them lies in the row that is
+// blended.
 struct WarpedFrames {
   ImageView color0, color1;  // extrapolation: color1 alone
   MotionView from0, from1;

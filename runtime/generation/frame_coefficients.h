@@ -29,8 +29,8 @@ class FrameCoefficients {
     std::uint64_t id = 0;
   };
 
-  // The two with their coefficients: those that are kept of a frame with an id, or new ones. Valid until
-  // the next call.
+  // The two with their coefficients: those that are kept of a frame with an id, or new ones. Valid
+  // until the next call.
   std::array<PrefilteredImage, 2> OfBoth(const Source& frame0, const Source& frame1,
                                          Executor& executor);
   PrefilteredImage Of(const Source& frame, Executor& executor);

@@ -61,7 +61,8 @@ struct WARPLUT_HIDDEN FrameGeneration::State {
   void BlendBand(const GenerationJob& job, const WarpedFrames& warped, const Band& band,
                  const MutableImageView& out) const;
 
-  // Whether frames are turned into coefficients: for the compiler false where no filter of the build has a prefilter.
+  // Whether frames are turned into coefficients: for the compiler false where no filter of the
+  // build has a prefilter.
   bool Prefilters() const { return kContainsPrefilter && static_cast<bool>(coefficients); }
   MutableMotionView Forward() const {
     return {reinterpret_cast<float*>(forward.data()), options.width, options.height,
@@ -217,7 +218,8 @@ inline void FrameGeneration::State::DecodeRows(const ImageView& from, const Band
   for (int y = band.first; y < band.last; ++y) kernels.decode_hdr(from, y, out);
 }
 
-// One frame after the other is encoded and warped; the output keeps what came of frame 1 in between.
+// One frame after the other is encoded and warped; the output keeps what came of frame 1 in
+// between.
 inline void FrameGeneration::State::WarpHdr(const GenerationJob& job, const ImageView& color0,
                                             const ImageView& color1, const MutableImageView& out) {
   constexpr PixelFormat kFormat = PixelFormat::kRgba32F;

@@ -63,7 +63,8 @@ inline float DepthAt(const ImageView& depth, int x, int y) {
   return CleanDepth(depth.Row<float>(y)[x]);
 }
 
-// Bits of a depth whose order as integers is that of CleanDepth: what that makes kFarthestDepth is above all numbers.
+// Bits of a depth whose order as integers is that of CleanDepth: what that makes kFarthestDepth is
+// above all numbers.
 inline std::uint32_t DepthBits(float depth) { return std::bit_cast<std::uint32_t>(depth + 0.0f); }
 
 // The least DepthAt of the 3 x 3 pixels around (x, y) that lie in the image.
@@ -89,8 +90,8 @@ inline void SetMotion(const MutableMotionView& motion, int x, int y, Vector v) {
   row[2 * x + 1] = v.y;
 }
 
-// The pixel whose centre is nearest to pixel (x, y) moved by d, halves towards the lower right; {-1, -1} outside of the image or
-// where d is not finite.
+// The pixel whose centre is nearest to pixel (x, y) moved by d, halves towards the lower right;
+// {-1, -1} outside of the image or where d is not finite.
 struct PixelIndex {
   int x, y;
 };

@@ -1,5 +1,5 @@
-// What the vector kernels of frame generation share, per target. Each computes what the plain version of its pass does, in
-// the same order and without fused operations.
+// What the vector kernels of frame generation share, per target. Each computes what the plain
+// version of its pass does, in the same order and without fused operations.
 #if defined(WARPLUT_RUNTIME_GENERATION_GEOMETRY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef WARPLUT_RUNTIME_GENERATION_GEOMETRY_INL_H_
 #undef WARPLUT_RUNTIME_GENERATION_GEOMETRY_INL_H_
@@ -25,7 +25,8 @@ using FloatMask = hn::Mask<FloatTag>;
 inline constexpr int kPixels = 64;  // pixels of a row that go through each step together
 static_assert(kPixels * 4 <= kStoredChannels);
 
-// `count` floats at `from`, padded with zeros up to kPixels * step, or `from` itself if it has as many.
+// `count` floats at `from`, padded with zeros up to kPixels * step, or `from` itself if it has as
+// many.
 HWY_INLINE const float* Padded(const float* from, int count, int size, float* HWY_RESTRICT padded) {
   if (count == size) return from;
   std::memcpy(padded, from, sizeof(float) * static_cast<std::size_t>(count));
@@ -45,7 +46,8 @@ HWY_INLINE Floats CleanDepths(Floats depth) {
   return hn::IfThenElse(valid, hn::Add(depth, hn::Zero(d)), farthest);
 }
 
-// NearestPixel of kLanes pixels of row y from x on; `inside` tells where it is one, the others are 0.
+// NearestPixel of kLanes pixels of row y from x on; `inside` tells where it is one, the others are
+// 0.
 struct NearestPixels {
   Ints x, y;
   FloatMask inside;
@@ -67,8 +69,9 @@ HWY_INLINE NearestPixels FindNearest(const GenerationJob& job, Floats x, float y
           hn::ConvertTo(di, hn::IfThenElseZero(inside, fy)), inside};
 }
 
-// Pixels that are two runs, each of neighbours in a row, as they are nearly always where motion changes little: they are read and
-// written as vectors in place of single pixels. Pixels [0, kLanes) of both runs lie in the image.
+// Pixels that are two runs, each of neighbours in a row, as they are nearly always where motion
+// changes little: they are read and written as vectors in place of single pixels. Pixels [0,
+// kLanes) of both runs lie in the image.
 struct TwoRuns {
   FloatMask first;  // pixels of the first run
   int x0, y0;       // of its first pixel
@@ -107,7 +110,8 @@ HWY_INLINE void GatherPixels(const ImageView& image, Ints x, Ints y, const TwoRu
   for (int i = 0; i < kLanes; ++i) to[i] = image.Row<float>(py[i])[px[i]];
 }
 
-// Motion of kLanes pixels that follow each other, at `a` for the lanes of `first` and at `b` for the others.
+// Motion of kLanes pixels that follow each other, at `a` for the lanes of `first` and at `b` for
+// the others.
 HWY_INLINE void LoadMotion(FloatMask first, const float* a, const float* b, Floats& mx,
                            Floats& my) {
   const FloatTag d;

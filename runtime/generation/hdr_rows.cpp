@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kChannels = 4;
 
-// Each channel of `limit` becomes the greatest of itself and the 4 x 4 texels of which (x, y) is tap 0.
+// Each channel of `limit` becomes the greatest of itself and the 4 x 4 texels of which (x, y) is
+// tap 0.
 void RaiseToTexels(const ImageView& codes, int x, int y, float (&limit)[kChannels]) {
   for (int ky = 0; ky < kTaps; ++ky) {
     const float* row = codes.Row<float>(std::clamp(y + kFirstTap + ky, 0, codes.height - 1));

@@ -1,7 +1,9 @@
-// Where a pixel of frame 1 is in the generated frame: the motion of frames -1, 0 and 1 as uniformly accelerated.
+// Where a pixel of frame 1 is in the generated frame: the motion of frames -1, 0 and 1 as uniformly
+// accelerated.
 //
-// m1 is its motion from frame 0 to 1, m0 that from frame -1 to 0; m0 = m1 makes the motion linear. One axis at a time; T is float,
-// double or a derivative type. Source: Mob-FGSR, supplement, equations 1, 2, 14 and 15.
+// m1 is its motion from frame 0 to 1, m0 that from frame -1 to 0; m0 = m1 makes the motion linear.
+// One axis at a time; T is float, double or a derivative type. Source: Mob-FGSR, supplement,
+// equations 1, 2, 14 and 15.
 #pragma once
 
 namespace warplut::generation {

@@ -100,7 +100,8 @@ inline RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionV
           std::min(nearest(hn::GetLane(hn::MaxOfLanes(d, most))) + 1, job.height())};
 }
 
-// Makes those keys of kLanes that `arrives` marks the lesser of themselves and those of sources that follow each other.
+// Makes those keys of kLanes that `arrives` marks the lesser of themselves and those of sources
+// that follow each other.
 HWY_INLINE void KeepNearest(FloatMask arrives, Floats depth, std::uint32_t first_source,
                             SplatKey* keys) {
   const hn::RebindToUnsigned<FloatTag> du;

@@ -1,4 +1,5 @@
-// The first two passes: where the pixels of frame 1 go, and which of them is kept at the pixels of the generated frame.
+// The first two passes: where the pixels of frame 1 go, and which of them is kept at the pixels of
+// the generated frame.
 #pragma once
 
 #include "runtime/generation/generation_job.h"
@@ -7,8 +8,9 @@ namespace warplut::generation {
 
 // Displacement of pixel (x, y) of frame 1 to the generated frame; NaN where it has no motion.
 //
-// m0 is read at the pixel of frame 0 nearest to p1 - m1, and counts as far as Gate of the depth difference there says: m0 = m1
-// + gate (m0 - m1). Outside of the image, and where it is not finite, m0 = m1.
+// m0 is read at the pixel of frame 0 nearest to p1 - m1, and counts as far as Gate of the depth
+// difference there says: m0 = m1 + gate (m0 - m1). Outside of the image, and where it is not
+// finite, m0 = m1.
 Vector ForwardDisplacement(const GenerationJob& job, int x, int y);
 
 RowRange ForwardRowReference(const GenerationJob& job, int y, const MutableMotionView& forward);

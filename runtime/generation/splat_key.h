@@ -1,7 +1,9 @@
-// What arrives at a pixel of the generated frame, as one integer: of several the least is kept, whatever their order.
+// What arrives at a pixel of the generated frame, as one integer: of several the least is kept,
+// whatever their order.
 //
 //   bits 63..32  depth: all bits of a float >= 0, whose order is that of the integers
-//   bits 31..0   index of the source pixel, y * width + x: of equal depths the first in reading order is kept
+//   bits 31..0   index of the source pixel, y * width + x: of equal depths the first in reading
+//                order is kept
 #pragma once
 
 #include <bit>

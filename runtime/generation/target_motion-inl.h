@@ -1,5 +1,5 @@
-// The vector kernel of the third pass: which pixels are neither gaps nor disocclusions is found by vectors, the others go
-// one by one.
+// The vector kernel of the third pass: which pixels are neither gaps nor disocclusions is found by
+// vectors, the others go one by one.
 #if defined(WARPLUT_RUNTIME_GENERATION_TARGET_MOTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef WARPLUT_RUNTIME_GENERATION_TARGET_MOTION_INL_H_
 #undef WARPLUT_RUNTIME_GENERATION_TARGET_MOTION_INL_H_
@@ -23,7 +23,8 @@ HWY_INLINE Floats SplatDepths(const SplatKey* keys) {
   return hn::IfThenElse(hn::Eq(depth, depth), depth, hn::Set(d, kNoArrivalDepth));
 }
 
-// Marks pixels [x, x + kLanes) of row y, all inside and not on the left or right border, that need TargetMotionAt.
+// Marks pixels [x, x + kLanes) of row y, all inside and not on the left or right border, that need
+// TargetMotionAt.
 HWY_INLINE FloatMask NeedSearch(const GenerationJob& job, const KeyView& keys,
                                 const DepthTolerance& tolerance, int x, int y) {
   const FloatTag d;
@@ -68,8 +69,9 @@ class SourceReader {
             {displacement[0], displacement[1]}};
   }
 
-  // The same for kLanes pixels that are two runs of sources, those of `others` aside, whose motion is whatever; false if
-  // they are not. In vectors that follow each other from `to0` and `to1` on; to0 may be null.
+  // The same for kLanes pixels that are two runs of sources, those of `others` aside, whose motion
+  // is whatever; false if they are not. In vectors that follow each other from `to0` and `to1` on;
+  // to0 may be null.
   HWY_INLINE bool ReadRuns(const SplatKey* keys, FloatMask others, float* to0, float* to1) {
     const FloatTag d;
     const hn::RebindToUnsigned<FloatTag> du;

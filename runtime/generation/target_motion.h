@@ -1,12 +1,13 @@
 // The third pass: motion of the generated frame's own pixels, to warp frames 0 and 1 by.
 //
 // A pixel at which a pixel of frame 1 arrived takes its motion. Then
-//   gaps (refine): of the four 2 x 2 blocks that hold the pixel none is alike in depth to it: it takes the mean motion of the
-//     foreground among its 8 neighbours, those alike in depth to the nearest one, which must be nearer than itself;
-//   disocclusions, the others without an arrival: interpolation takes the motion of the farthest among the first arrivals in 8
-//     directions, extrapolation does as DisocclusionFill says.
-// "Alike" is |DepthDifference| <= T_D, whatever the gate width; pixels without an arrival are alike to each other only. Pixels beyond
-// the border are those on it.
+//   gaps (refine): of the four 2 x 2 blocks that hold the pixel none is alike in depth to it: it
+//     takes the mean motion of the foreground among its 8 neighbours, those alike in depth to the
+//     nearest one, which must be nearer than itself;
+//   disocclusions, the others without an arrival: interpolation takes the motion of the farthest
+//     among the first arrivals in 8 directions, extrapolation does as DisocclusionFill says.
+// "Alike" is |DepthDifference| <= T_D, whatever the gate width; pixels without an arrival are alike
+// to each other only. Pixels beyond the border are those on it.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +16,16 @@
 
 namespace warplut::generation {
 
-// Motion from frames 0 and 1 to a pixel of the generated frame, as Warp takes it: the source positions are q - m.
+// Motion from frames 0 and 1 to a pixel of the generated frame, as Warp takes it: the source
+// positions are q - m.
 struct TargetMotion {
   Vector from0;
   Vector from1;
   bool filled = false;  // a disocclusion: nothing arrived here, and it is no gap
 };
 
-// What arrived: the results of the first two passes. Rows of `forward` follow each other without padding.
+// What arrived: the results of the first two passes. Rows of `forward` follow each other without
+// padding.
 struct Arrivals {
   MotionView forward;
   KeyView keys;
@@ -50,8 +53,8 @@ void TargetMotionRowReference(const GenerationJob& job, const Arrivals& arrivals
                               const MutableMotionView& from0, const MutableMotionView& from1,
                               std::uint8_t* disoccluded);
 
-// Without splatting: the pixel at the same place of frame 1 is taken to arrive. `from1` holds the forward displacements of row y; where
-// one is not finite nothing moves.
+// Without splatting: the pixel at the same place of frame 1 is taken to arrive. `from1` holds the
+// forward displacements of row y; where one is not finite nothing moves.
 void OwnMotionRowReference(const GenerationJob& job, int y, const MutableMotionView& from0,
                            const MutableMotionView& from1);
 

@@ -20,7 +20,8 @@ constexpr int kHalvingRounds = 7;
 constexpr double kLeastCut = 1e-4;
 // Inverse depth, in medians, at which a sample counts half.
 constexpr double kNear = 8;
-// Added to the unit diagonal of the scaled normal equations: coefficients that the frame does not tell apart stay small.
+// Added to the unit diagonal of the scaled normal equations: coefficients that the frame does not
+// tell apart stay small.
 constexpr double kRidge = 1e-10;
 
 struct Position {
@@ -137,8 +138,8 @@ void CameraFit::Gather(const ImageView& depth, const MotionView& motion) {
   }
 }
 
-// The equations are linear in c once multiplied by 1 + h: m = c . (u, v, 1, g) + ((u, v) - m) h. They are weighted by the last
-// 1 / (1 + h)^2, so that residuals are those of the motion.
+// The equations are linear in c once multiplied by 1 + h: m = c . (u, v, 1, g) + ((u, v) - m) h.
+// They are weighted by the last 1 / (1 + h)^2, so that residuals are those of the motion.
 void CameraFit::Solve(double cut_x, double cut_y, CameraMotion& camera) const {
   constexpr int kIndexX[] = {0, 1, 2, 3, 8, 9, 10};
   constexpr int kIndexY[] = {4, 5, 6, 7, 8, 9, 10};

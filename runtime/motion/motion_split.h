@@ -1,16 +1,17 @@
-// Where a motion vector points: a whole number of texels and an offset. Defined once, for every kernel.
+// Where a motion vector points: a whole number of texels and an offset. Defined once, for every
+// kernel.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/float_bits.h"
-
 #include "luts/contract.h"
+#include "runtime/float_bits.h"
 
 namespace warplut {
 
-// Whole displacements are limited to this, so that integer arithmetic cannot overflow; images are smaller.
+// Whole displacements are limited to this, so that integer arithmetic cannot overflow; images are
+// smaller.
 inline constexpr float kFarthestTexel = 16777216.0f;
 
 // One axis of -m: `whole` texels plus `offset` in [0, 1).
@@ -19,9 +20,10 @@ struct MotionSplit {
   float offset;
 };
 
-// Splits the component m of a motion vector. It depends on m alone, not on the pixel: the sampled position
-// p - m has texel p + whole and the same offset everywhere, however large the coordinates. The offset is
-// exact unless -1 < -m < 0, where it is off by 2^-25 at most. A NaN or infinite component counts as zero.
+// Splits the component m of a motion vector. It depends on m alone, not on the pixel: the sampled
+// position p - m has texel p + whole and the same offset everywhere, however large the coordinates.
+// The offset is exact unless -1 < -m < 0, where it is off by 2^-25 at most. A NaN or infinite
+// component counts as zero.
 inline MotionSplit SplitMotion(float m) {
   if (!IsFinite(m)) m = 0.0f;
   float whole = std::floor(-m);

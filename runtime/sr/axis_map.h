@@ -1,4 +1,5 @@
-// Where the pixels of the output grid and the samples of the render grid lie in each other's grid, for one axis of one frame.
+// Where the pixels of the output grid and the samples of the render grid lie in each other's grid,
+// for one axis of one frame.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +9,9 @@
 
 namespace warplut {
 
-// Positions are counted from the centre of the first pixel. An output pixel x lies at (x + 1/2) / s - 1/2 - jitter among the
-// samples, a sample i at (i + 1/2 + jitter) s - 1/2 among the output pixels, s = output / render.
+// Positions are counted from the centre of the first pixel. An output pixel x lies at
+// (x + 1/2) / s - 1/2 - jitter among the samples, a sample i at (i + 1/2 + jitter) s - 1/2 among
+// the output pixels, s = output / render.
 class AxisMap {
  public:
   AxisMap() = default;
@@ -48,15 +50,16 @@ class AxisMap {
     }
   }
 
-  // Of output pixel x: it lies between the samples cell and cell + 1, at `fraction` of the way, limited to the outermost
-  // samples; nearest is the nearest sample, and x lies at nearest + offset, not limited.
+  // Of output pixel x: it lies between the samples cell and cell + 1, at `fraction` of the way,
+  // limited to the outermost samples; nearest is the nearest sample, and x lies at
+  // nearest + offset, not limited.
   const int* cell() const { return cell_.data(); }
   const float* fraction() const { return fraction_.data(); }
   const int* nearest() const { return nearest_.data(); }
   const float* offset() const { return offset_.data(); }
 
-  // Of sample i: it lies between the output pixels texel and texel + 1, at `share` of the way, limited to the outermost
-  // pixels; texel + 1 is in the image unless that has one pixel.
+  // Of sample i: it lies between the output pixels texel and texel + 1, at `share` of the way,
+  // limited to the outermost pixels; texel + 1 is in the image unless that has one pixel.
   const int* texel() const { return texel_.data(); }
   const float* share() const { return share_.data(); }
 

@@ -99,7 +99,8 @@ inline void FillPlanes(const SuperResolutionOptions& options, const RenderedFram
 // The colour boxes along an output row, interpolated between those of the samples.
 class ColorBoxes {
  public:
-  // Sets of rows R, G, B of the least, then of the greatest: those of an even and of an odd row of samples, and the mixed ones.
+  // Sets of rows R, G, B of the least, then of the greatest: those of an even and of an odd row of
+  // samples, and the mixed ones.
   static constexpr int kSet = 6;
   static constexpr int kRows = 3 * kSet;
 
@@ -240,7 +241,8 @@ HWY_NOINLINE inline Pixels CurrentPixels(const SrJob& job, int x, int y) {
   return {Limit(color[0]), Limit(color[1]), Limit(color[2]), hn::Zero(d)};
 }
 
-// `validity` is that of the row, or null where all of the history is valid; marks the tiles where some is not.
+// `validity` is that of the row, or null where all of the history is valid; marks the tiles where
+// some is not.
 inline void PredictRow(const SrJob& job, int y, const float* validity, ColorBoxes& boxes,
                        std::uint8_t* disoccluded) {
   const FloatTag d;

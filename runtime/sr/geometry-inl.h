@@ -65,7 +65,8 @@ HWY_INLINE void SurfaceEdges(const RenderPlanes& planes, int j, float* HWY_RESTR
   }
 }
 
-// The rows on the render grid that an output row is made of; rows that stay from one output row to the next are kept.
+// The rows on the render grid that an output row is made of; rows that stay from one output row to
+// the next are kept.
 class GeometryRowMaker {
  public:
   HWY_INLINE GeometryRowMaker(const SrJob& job, Plane& rows) : job_(job), rows_(rows) {}

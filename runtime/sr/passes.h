@@ -1,4 +1,5 @@
-// The passes of super resolution and what they work on. Rows are handed out in bands; no pass needs to know the others' bands.
+// The passes of super resolution and what they work on. Rows are handed out in bands; no pass needs
+// to know the others' bands.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,8 @@ struct SrJob {
   const AxisMap& y;
   const RenderPlanes& planes;
 
-  // Of the frame before: the least and greatest depth of samples (i - 1, j - 1) to (i + 2, j + 2), and its jitter.
+  // Of the frame before: the least and greatest depth of samples (i - 1, j - 1) to (i + 2, j + 2),
+  // and its jitter.
   const Plane& nearest_before;
   const Plane& farthest_before;
   float jitter_x_before, jitter_y_before;
@@ -63,10 +65,11 @@ struct SrPasses {
   // Output rows [begin, end): depth, and motion in output pixels (NaN where there is none).
   void (*geometry)(const SrJob& job, int begin, int end, SrScratch& scratch,
                    const MutableImageView& depth, const MutableMotionView& motion);
-  // Output rows [begin, end), at most kBandRows of one band: the predicted colour, and its validity in alpha.
+  // Output rows [begin, end), at most kBandRows of one band: the predicted colour, and its validity
+  // in alpha.
   void (*predict)(const SrJob& job, int begin, int end, SrScratch& scratch);
-  // Render rows [begin, end), those of one row of aliasing tiles: the residual, and in the adaptive form
-  // its variances.
+  // Render rows [begin, end), those of one row of aliasing tiles: the residual, and in the adaptive
+  // form its variances.
   void (*residual)(const SrJob& job, int begin, int end, Plane* residual, AliasingMap& aliasing);
   // Output rows [begin, end): the new samples enter; history and output are written.
   void (*update)(const SrJob& job, int begin, int end, SrScratch& scratch,
@@ -75,7 +78,8 @@ struct SrPasses {
   void (*depth_range)(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest);
 };
 
-// Slow and obvious, one pixel after the other. Not to be called where the build does not contain them.
+// Slow and obvious, one pixel after the other. Not to be called where the build does not contain
+// them.
 const SrPasses& ReferencePasses();
 
 // The same on vectors, for the processor at hand.

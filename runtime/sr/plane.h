@@ -1,4 +1,5 @@
-// One channel of a render-grid image as floats, with a border, so that filters need no clamped coordinates.
+// One channel of a render-grid image as floats, with a border, so that filters need no clamped
+// coordinates.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +9,9 @@
 
 namespace warplut {
 
-// Row y, column x for x in [-kPlanePad, width + kPlanePad) and y in [-kPlaneRows, height + kPlaneRows). A row may be read
-// and written in whole vectors of 16 floats from column 0 on.
+// Row y, column x for x in [-kPlanePad, width + kPlanePad) and y in [-kPlaneRows,
+// height + kPlaneRows). A row may be read and written in whole vectors of 16 floats from column 0
+// on.
 inline constexpr int kPlanePad = 16;
 inline constexpr int kPlaneRows = 2;
 
@@ -31,7 +33,8 @@ class Plane {
   float* Row(int y) { return Address(y); }
   const float* Row(int y) const { return Address(y); }
 
-  // Repeats the outermost pixels of row y into its left and right border, and those of the first and last row beyond them.
+  // Repeats the outermost pixels of row y into its left and right border, and those of the first
+  // and last row beyond them.
   void ExtendRow(int y) {
     float* row = Row(y);
     std::fill(row - kPlanePad, row, row[0]);

@@ -13,20 +13,24 @@ struct Surface {
   float motion_x, motion_y;
 };
 
-// Depths of neighbouring samples that differ by more, relative to the lesser, belong to different surfaces.
+// Depths of neighbouring samples that differ by more, relative to the lesser, belong to different
+// surfaces.
 inline constexpr float kSurfaceStep = 0.03f;
 
-// Whether history that lay farther is rejected like history that lay nearer. What is seen now was seen a frame ago, or something nearer
-// hid it: where all samples lay farther none hit it, as happens to thin objects, and the history knows it better than they did. The
-// absolute measure is the paper's and compares both ways, as the paper does.
+// Whether history that lay farther is rejected like history that lay nearer. What is seen now was
+// seen a frame ago, or something nearer hid it: where all samples lay farther none hit it, as
+// happens to thin objects, and the history knows it better than they did. The absolute measure is
+// the paper's and compares both ways, as the paper does.
 constexpr bool RejectsBothWays(DepthMeasure measure) { return measure == DepthMeasure::kAbsolute; }
 
-// Weights of a sample and of each of its two neighbours, along one axis, in the mean and variance of a colour box.
+// Weights of a sample and of each of its two neighbours, along one axis, in the mean and variance
+// of a colour box.
 inline constexpr float kBoxMiddle = 0.6f;
 inline constexpr float kBoxSide = 0.2f;
 
-// What is taken off a residual, towards 0: the rounding of the history makes differences of this size, which would keep a still image
-// moving. A unit in the last place of [1/2, 1]; codes settle by themselves.
+// What is taken off a residual, towards 0: the rounding of the history makes differences of this
+// size, which would keep a still image moving. A unit in the last place of [1/2, 1]; codes settle
+// by themselves.
 constexpr float ResidualSlack(PixelFormat history) {
   switch (history) {
     case PixelFormat::kRgba16F:
@@ -71,18 +75,20 @@ inline float HistoryStep(float share, float distance, float settled, float least
 // Whether the samples (i, j) to (i + 1, j + 1) belong to different surfaces, or one has no motion.
 bool IsSurfaceEdge(const RenderPlanes& planes, int i, int j);
 
-// The nearest to the camera of the 3 x 3 samples around (i, j); of equal ones the middle one, then the first in reading order.
+// The nearest to the camera of the 3 x 3 samples around (i, j); of equal ones the middle one, then
+// the first in reading order.
 Surface NearestSurface(const RenderPlanes& planes, int i, int j);
 
-// Bilinear among the samples of the plane around the centre of output pixel (x, y), which may be beyond the outermost ones.
+// Bilinear among the samples of the plane around the centre of output pixel (x, y), which may be
+// beyond the outermost ones.
 float BilinearAt(const SrJob& job, const Plane& plane, int x, int y);
 
 // What is seen at the centre of output pixel (x, y).
 Surface SurfaceAt(const SrJob& job, int x, int y);
 
-// How much of the history counts where (depth, motion in output pixels) is seen: 0 outside of the image and without
-// motion, else the gate of how far `depth` lies behind the depths around the position one frame ago, with the absolute
-// measure also before them.
+// How much of the history counts where (depth, motion in output pixels) is seen: 0 outside of the
+// image and without motion, else the gate of how far `depth` lies behind the depths around the
+// position one frame ago, with the absolute measure also before them.
 float ValidityReference(const SrJob& job, int x, int y, float depth, float motion_x,
                         float motion_y);
 
@@ -97,7 +103,8 @@ struct ColorBox {
 // The colour box of the 3 x 3 samples around (i, j), in [0, 1].
 ColorBox SampleColorBox(const SrJob& job, int i, int j);
 
-// The colour box at the centre of output pixel (x, y): bilinear among those of the four samples around it.
+// The colour box at the centre of output pixel (x, y): bilinear among those of the four samples
+// around it.
 ColorBox ColorBoxAt(const SrJob& job, int x, int y);
 
 // The current frame alone at the centre of output pixel (x, y), in [0, 1].

@@ -61,7 +61,8 @@ SampleSums SumSamples(const SrJob& job, int x, int y) {
   return sums;
 }
 
-// The printed form, kept from losing energy; `validity` 0 leaves the prediction, the current frame alone, as it is.
+// The printed form, kept from losing energy; `validity` 0 leaves the prediction, the current frame
+// alone, as it is.
 Rgb UpdateFromSamples(const SrJob& job, int x, int y, const Rgb& predicted, float validity) {
   const SampleSums sums = SumSamples(job, x, y);
   if (!(sums.weight > 0)) return predicted;
@@ -113,8 +114,8 @@ float TileVariance(const Plane* residual, int first, int last, int begin, int en
   return ResidualVariance(squares, sums, (last - first) * (end - begin));
 }
 
-// The greatest of each channel of the samples (i - 1, j - 1) to (i + 2, j + 2), at least the code of kUnlimitedHdr: what a linear
-// HDR pixel between samples i and i + 1, j and j + 1 is limited to.
+// The greatest of each channel of the samples (i - 1, j - 1) to (i + 2, j + 2), at least the code
+// of kUnlimitedHdr: what a linear HDR pixel between samples i and i + 1, j and j + 1 is limited to.
 Rgb BrightestSamples(const SrJob& job, int i, int j) {
   const float unlimited = HdrCode(kUnlimitedHdr);
   Rgb brightest = {{unlimited, unlimited, unlimited}};

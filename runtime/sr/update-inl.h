@@ -13,7 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace warplut {
 namespace HWY_NAMESPACE {
 
-// Of the residuals of columns [first, last) and rows [begin, end); `first` is a whole number of tiles.
+// Of the residuals of columns [first, last) and rows [begin, end); `first` is a whole number of
+// tiles.
 HWY_INLINE float TileVariance(const Plane* residual, int first, int last, int begin, int end) {
   const FloatTag d;
   auto squares = hn::Zero(d);
@@ -134,7 +135,8 @@ class HistorySteps {
   float settled_, least_;
 };
 
-// UpdateFromResidual for kLanes pixels, whose alpha is the validity; `smooths` says whether there is a row of smoothing.
+// UpdateFromResidual for kLanes pixels, whose alpha is the validity; `smooths` says whether there
+// is a row of smoothing.
 HWY_INLINE void AddResidual(const SrJob& job, const HistorySteps& steps, int x, int y,
                             const Plane& rows, bool smooths, Pixels& p) {
   const FloatTag d;

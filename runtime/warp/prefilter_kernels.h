@@ -7,8 +7,8 @@
 
 #include "luts/contract.h"
 #include "luts/prefilter.h"
-#include "runtime/image_view.h"
 #include "runtime/core/instruction_sets.h"
+#include "runtime/image_view.h"
 #include "runtime/motion_tiles.h"
 #include "runtime/prefilter.h"
 

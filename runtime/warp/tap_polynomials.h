@@ -8,8 +8,8 @@
 
 namespace warplut {
 
-// The four weights of one axis of a closed-form filter (not Filter::kLut); `parameter` is a of Filter::kKeys, k of
-// Filter::kSpline.
+// The four weights of one axis of a closed-form filter (not Filter::kLut); `parameter` is a of
+// Filter::kKeys, k of Filter::kSpline.
 template <class T>
 constexpr std::array<T, kTaps> FilterTaps(Filter filter, float parameter, T d) {
   switch (filter) {

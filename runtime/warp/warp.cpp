@@ -35,7 +35,8 @@ void CopyPixels(const WarpJob& job, const TileRect& pixels, int whole_x, int who
   }
 }
 
-// Tiles of one row that are warped together: neighbours of one kind and, unless general, of one motion.
+// Tiles of one row that are warped together: neighbours of one kind and, unless general, of one
+// motion.
 struct Run {
   TileRect pixels{};
   TileMotion motion;

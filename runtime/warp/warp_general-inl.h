@@ -1,8 +1,9 @@
 // The kernel for pixels that have each their own motion.
 //
-// kRowPixels pixels of a row are processed in steps over all of them: split the motion, find or compute
-// the weights, sum weights times texels, round. A group of four RGBA texels (luts/tap_layout.h) is 16 channels,
-// hence one, two or four vectors; windows that touch the border are gathered with clamped coordinates first.
+// kRowPixels pixels of a row are processed in steps over all of them: split the motion, find or
+// compute the weights, sum weights times texels, round. A group of four RGBA texels
+// (luts/tap_layout.h) is 16 channels, hence one, two or four vectors; windows that touch the border
+// are gathered with clamped coordinates first.
 #if defined(WARPLUT_RUNTIME_WARP_GENERAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef WARPLUT_RUNTIME_WARP_GENERAL_INL_H_
 #undef WARPLUT_RUNTIME_WARP_GENERAL_INL_H_
@@ -26,7 +27,8 @@ struct Window {
   std::ptrdiff_t stride;
 };
 
-// Copies the least square around the footprint with clamped coordinates. T is float where the format has no vector load.
+// Copies the least square around the footprint with clamped coordinates. T is float where the
+// format has no vector load.
 template <class T, int kChannels, Footprint kFootprint>
 HWY_NOINLINE void GatherWindow(const ImageView& history, int tx, int ty, T* HWY_RESTRICT to) {
   constexpr int kSide = AxisTaps(kFootprint);
@@ -79,7 +81,8 @@ HWY_INLINE void VisitNumbers(const Visit& visit) {
   }
 }
 
-// kLanes channels of RGBA texels: those of places kPlace and after of the layout, which are in one group.
+// kLanes channels of RGBA texels: those of places kPlace and after of the layout, which are in one
+// group.
 template <class T, Footprint kFootprint, int kPlace>
 HWY_INLINE hn::Vec<FloatTag> LoadPlaces(const Window<T>& window) {
   const FloatTag d;
@@ -101,8 +104,9 @@ HWY_INLINE hn::Vec<FloatTag> LoadPlaces(const Window<T>& window) {
   }
 }
 
-// The weighted sum of an RGBA window; its kGroup blocks are partial sums. The weight of a texel is repeated
-// for its channels: vectors of 16 pick it from all of 16 weights, smaller ones from those of a group.
+// The weighted sum of an RGBA window; its kGroup blocks are partial sums. The weight of a texel is
+// repeated for its channels: vectors of 16 pick it from all of 16 weights, smaller ones from those
+// of a group.
 template <class T, Footprint kFootprint>
 HWY_INLINE hn::Vec<FloatTag> SumWindow(const float* HWY_RESTRICT weights, const Window<T>& window) {
   const FloatTag d;

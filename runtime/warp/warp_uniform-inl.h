@@ -1,7 +1,8 @@
 // The kernel for pixels of one motion: a stencil with one set of weights, vectorised along the row.
 //
-// The four rows of a strip are summed together, so that each loaded vector serves up to four sums. Float texels inside the
-// image are read and written where they are; others, borders clamped, are turned into floats first and rounded last.
+// The four rows of a strip are summed together, so that each loaded vector serves up to four sums.
+// Float texels inside the image are read and written where they are; others, borders clamped, are
+// turned into floats first and rounded last.
 #if defined(WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_
 #undef WARPLUT_RUNTIME_WARP_UNIFORM_INL_H_
@@ -100,8 +101,8 @@ struct Walk {
 };
 
 // sums[r][i] = sum over the taps (kx, ky), counted from the window's first, of their weights times
-// window[r + ky][i + kx * kChannels] for all rows r of a strip and i < count, which is rounded up to
-// kLanes.
+// window[r + ky][i + kx * kChannels] for all rows r of a strip and i < count, which is rounded up
+// to kLanes.
 template <Footprint kFootprint, int kChannels>
 HWY_INLINE void SumRows(const Weights<float>& weights, const FloatRows<const float>& window,
                         int count, const FloatRows<float>& sums, const Walk& walk) {
@@ -124,7 +125,8 @@ HWY_INLINE void SumRows(const Weights<float>& weights, const FloatRows<const flo
       HWY_UNROLL(kMostRows)
       for (int y = 0; y < kHeight; ++y) {
         const auto texels = hn::LoadU(d, column + y * window.stride);
-        // Keeps the texels in a register: GCC reads them from memory again for each sum otherwise, and loads take the time.
+        // Keeps the texels in a register: GCC reads them from memory again for each sum otherwise,
+        // and loads take the time.
         std::atomic_signal_fence(std::memory_order_seq_cst);
         HWY_UNROLL(kStripHeight)
         for (int r = 0; r < kStripHeight; ++r) {
@@ -142,9 +144,10 @@ HWY_INLINE void SumRows(const Weights<float>& weights, const FloatRows<const flo
   }
 }
 
-// Whether to walk from right to left. Processors compare the low bits of a load's address with those of
-// the stores before it, and delay it where they agree, as they do when history and output lie alike in
-// their pages. So the loads must run ahead of the stores, to the side on which they lie. Speed alone depends on it.
+// Whether to walk from right to left. Processors compare the low bits of a load's address with
+// those of the stores before it, and delay it where they agree, as they do when history and output
+// lie alike in their pages. So the loads must run ahead of the stores, to the side on which they
+// lie. Speed alone depends on it.
 template <Footprint kFootprint, int kChannels>
 HWY_INLINE bool LoadsLieLeft(const FloatRows<const float>& window, const FloatRows<float>& sums) {
   constexpr int kCompared = 4096;  // bytes: 12 bits
@@ -163,7 +166,8 @@ HWY_INLINE bool LoadsLieLeft(const FloatRows<const float>& window, const FloatRo
   return nearest < 0;
 }
 
-// The first pixels of the strip that SumRows can take from the history to the output as they are: their number.
+// The first pixels of the strip that SumRows can take from the history to the output as they are:
+// their number.
 template <Footprint kFootprint>
 HWY_INLINE int DirectPixels(const WarpJob& job, const TileRect& strip, int x0, int y0) {
   using Strip = StripWindow<kFootprint>;
@@ -212,7 +216,8 @@ HWY_INLINE void PrefetchNextStrip(const WarpJob& job, const TileRect& strip, int
   }
 }
 
-// Warps at most kStripWidth x kStripHeight pixels whose upper left one has its tap (0, 0) at texel (x0, y0).
+// Warps at most kStripWidth x kStripHeight pixels whose upper left one has its tap (0, 0) at texel
+// (x0, y0).
 template <Footprint kFootprint>
 HWY_INLINE void ConvertedStrip(const WarpJob& job, const TileRect& strip, int x0, int y0,
                                const Weights<float>& weights) {

@@ -1,4 +1,5 @@
-// The first steps of the general kernel, for some pixels of a row: split the motion, then find or compute the weights.
+// The first steps of the general kernel, for some pixels of a row: split the motion, then find or
+// compute the weights.
 #if defined(WARPLUT_RUNTIME_WARP_WEIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef WARPLUT_RUNTIME_WARP_WEIGHTS_INL_H_
 #undef WARPLUT_RUNTIME_WARP_WEIGHTS_INL_H_

@@ -10,12 +10,12 @@
 
 #include "baked/test_24.h"
 #include "luts/bake/bake.h"
-#include "luts/footprint_names.h"
-#include "luts/certificate/gain.h"
-#include "luts/fit/head.h"
-#include "luts/quantize/quantize.h"
 #include "luts/bake/released_layout.h"
 #include "luts/bake/table_io.h"
+#include "luts/certificate/gain.h"
+#include "luts/fit/head.h"
+#include "luts/footprint_names.h"
+#include "luts/quantize/quantize.h"
 #include "test_fits.h"
 
 namespace warplut {

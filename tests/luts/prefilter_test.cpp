@@ -25,7 +25,8 @@ using testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
 
-// Taps that invert side .1 to .2 %: the terms of 1 / A that are left out are added to the outermost.
+// Taps that invert side .1 to .2 %: the terms of 1 / A that are left out are added to the
+// outermost.
 Prefilter Fir() {
   Prefilter p{PrefilterKind::kFir, 0.1f, 4, {}};
   const double z = PoleOfSide(0.1);
@@ -107,7 +108,8 @@ TEST(SplineFamily, HasTheSamplesOfItsSideAndIsContinuous) {
   }
 }
 
-// The largest gains of the family over the nodes, by a dense grid of frequencies; that of the B-spline is 1.
+// The largest gains of the family over the nodes, by a dense grid of frequencies; that of the
+// B-spline is 1.
 TEST(SplineFamily, LargestGainsOverTheTable) {
   const auto largest = [](double k) {
     const Prefilter p{PrefilterKind::kRecursive, static_cast<float>(SplineSide(k)), 0, {}};

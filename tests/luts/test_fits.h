@@ -34,7 +34,8 @@ inline Fit MakeFit(double size, std::uint64_t seed = 1, const std::string& name 
   return fit;
 }
 
-// The same fit behind a recursive prefilter; that of the spline with k = 1/84 unless told otherwise.
+// The same fit behind a recursive prefilter; that of the spline with k = 1/84 unless told
+// otherwise.
 inline Fit WithPrefilter(Fit fit, double side = 1.0 / 6 + 1.0 / 84) {
   fit.prefilter.kind = PrefilterKind::kRecursive;
   fit.prefilter.side = static_cast<float>(side);

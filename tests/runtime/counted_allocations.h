@@ -1,4 +1,5 @@
-// Counts what a test program takes from the heap: linking counted_allocations.cpp replaces operator new and delete.
+// Counts what a test program takes from the heap: linking counted_allocations.cpp replaces operator
+// new and delete.
 #pragma once
 
 namespace warplut {

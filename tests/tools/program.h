@@ -32,7 +32,8 @@ ProgramResult RunProgram(const std::string& program, const std::vector<std::stri
                          const ProgramSetup& setup = {});
 ProgramResult RunWarplut(const std::vector<std::string>& arguments, const ProgramSetup& setup = {});
 
-// `command`, then those of `defaults` (options with one value) that `more` does not name, then `more`.
+// `command`, then those of `defaults` (options with one value) that `more` does not name, then
+// `more`.
 std::vector<std::string> CommandLine(
     std::vector<std::string> command,
     const std::vector<std::pair<std::string, std::string>>& defaults,

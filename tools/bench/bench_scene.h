@@ -1,4 +1,5 @@
-// What the benchmarks of whole frames share: a synthetic frame, its sizes, how results are compared and told.
+// What the benchmarks of whole frames share: a synthetic frame, its sizes, how results are compared
+// and told.
 #pragma once
 
 #include <string>
@@ -42,7 +43,8 @@ class BenchScene {
   MotionBuffer motion_;
 };
 
-// The share of pixels of which a channel differs by more than `bound` code values of 8 bits. The images have one size and format.
+// The share of pixels of which a channel differs by more than `bound` code values of 8 bits. The
+// images have one size and format.
 double FlippedShare(const ImageView& a, const ImageView& b, float bound);
 
 // "3.0", "3.0!" where it is missed, "" where there is no target (0).

@@ -1,4 +1,5 @@
-// Times frame generation and its passes on one thread against one warp of an image with the same motion, runs interleaved.
+// Times frame generation and its passes on one thread against one warp of an image with the same
+// motion, runs interleaved.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace warplut {
 
-// How much longer than one warp an interpolated frame may take with the default options, smooth motion, at 1920 x 1080.
+// How much longer than one warp an interpolated frame may take with the default options, smooth
+// motion, at 1920 x 1080.
 inline constexpr double kGenerationTarget = 5;
 
 struct GenerationBenchmarkOptions {
@@ -35,8 +37,9 @@ struct GenerationBenchmarkRow {
   bool met() const { return target == 0 || ratio.median <= target; }
 };
 
-// 1280 x 720 and 1920 x 1080, RGBA8, RGBA16F and linear HDR in RGBA16F. Before a row is timed its frame is compared with the plain version of every
-// pass; an Error names the row if any pixel differs by more than a code value.
+// 1280 x 720 and 1920 x 1080, RGBA8, RGBA16F and linear HDR in RGBA16F. Before a row is timed its
+// frame is compared with the plain version of every pass; an Error names the row if any pixel
+// differs by more than a code value.
 std::vector<GenerationBenchmarkRow> RunGenerationBenchmark(
     const GenerationBenchmarkOptions& options);
 

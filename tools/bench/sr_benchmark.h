@@ -8,7 +8,8 @@
 
 namespace warplut {
 
-// How much longer than the warp of its history a frame may take with the default options, smooth motion, at 1920 x 1080.
+// How much longer than the warp of its history a frame may take with the default options, smooth
+// motion, at 1920 x 1080.
 inline constexpr double kSrTarget = 3;
 
 struct SrBenchmarkOptions {
@@ -33,8 +34,9 @@ struct SrBenchmarkRow {
   bool met() const { return target == 0 || ratio.median <= target; }
 };
 
-// 1280 x 720 and 1920 x 1080. Before a row is timed some frames are compared with the plain version of every pass; an Error names
-// the row if more than a thousandth of the pixels differ (a gate may fall on the other side by rounding).
+// 1280 x 720 and 1920 x 1080. Before a row is timed some frames are compared with the plain version
+// of every pass; an Error names the row if more than a thousandth of the pixels differ (a gate may
+// fall on the other side by rounding).
 std::vector<SrBenchmarkRow> RunSrBenchmark(const SrBenchmarkOptions& options);
 
 // The rows as a table for people, one line each.

@@ -1,4 +1,5 @@
-// Times SSIM with its gradient, on one thread, against an SSIM without gradient that OpenCV's filters make.
+// Times SSIM with its gradient, on one thread, against an SSIM without gradient that OpenCV's
+// filters make.
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@ struct SsimBenchmark {
       0;  // OpenCV's time (value alone) over ours (value and gradient): median of pairs
 };
 
-// `repeats` timed runs of each, in turn. An Error if the result is wrong. Processor time of the thread.
+// `repeats` timed runs of each, in turn. An Error if the result is wrong. Processor time of the
+// thread.
 SsimBenchmark RunSsimBenchmark(int width, int height, int repeats);
 
 std::string FormatTable(const SsimBenchmark& benchmark);

@@ -23,8 +23,8 @@
 namespace warplut {
 namespace {
 
-// Ratios that the project asks for, for RGBA8 and RGBA32F, without prefilter: nearest and bilinear lookup on smooth
-// motion, uniform motion, static motion.
+// Ratios that the project asks for, for RGBA8 and RGBA32F, without prefilter: nearest and bilinear
+// lookup on smooth motion, uniform motion, static motion.
 constexpr double kNearestTarget = 4;
 constexpr double kBilinearTarget = 2.5;
 constexpr double kUniformTarget = 8;
@@ -97,7 +97,8 @@ void FillMotion(const std::string& kind, Motion& motion) {
   }
 }
 
-// A table in i16 with exact row sums, of Catmull-Rom weights or a wide kernel's: the time does not depend on the weights.
+// A table in i16 with exact row sums, of Catmull-Rom weights or a wide kernel's: the time does not
+// depend on the weights.
 std::vector<std::int16_t> MakeTable(Footprint footprint) {
   constexpr double kKaiser = 4.5;
   const FootprintTaps& taps = TapsOf(footprint);
@@ -318,7 +319,8 @@ class FormatBenchmark {
     }
   }
 
-  // Motion of whole pixels, against memcpy; with the motion classified by the call, which has to read it, and before.
+  // Motion of whole pixels, against memcpy; with the motion classified by the call, which has to
+  // read it, and before.
   void AgainstCopy(const std::string& kind, const Motion& motion,
                    std::vector<WarpBenchmarkRow>& rows) {
     const WarpOptions options;

@@ -48,9 +48,10 @@ struct WarpBenchmark {
 // is one fractional motion; "whole" one of whole pixels; "static" zero. Competitors: cv::remap,
 // INTER_CUBIC, BORDER_REPLICATE with CV_32FC2 maps (motion comes as floats, so this is the one with
 // a target) and with CV_16SC2 maps made beforehand; for "static" and "whole" one memcpy of the
-// image, and the same with all of the motion read, which is what has to be done where its tiles are not given. remap has no half floats: RGBA16F is compared with remap of RGBA32F.
-// RGBA32F texels of about 1e-40, which processors are slow with, race ordinary ones ("... 1e-40";
-// of the spline its prefilter).
+// image, and the same with all of the motion read, which is what has to be done where its tiles are
+// not given. remap has no half floats: RGBA16F is compared with remap of RGBA32F. RGBA32F texels of
+// about 1e-40, which processors are slow with, race ordinary ones
+// ("... 1e-40"; of the spline its prefilter).
 // A warp with the spline reads coefficients that are made before. Its prefilter has a row of its
 // own: the competitor is the warp with bilinear lookup.
 WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options);

@@ -17,8 +17,9 @@ struct FrameScore {
   double ssim = 0;                // of luma
 };
 
-// Scores `a` against `b` without `border` pixels at each edge. Images of 1, 3 or 4 channels (alpha is ignored, and the
-// error is over RGB then). An Error names `name` if sizes or channels differ or too little is left for the SSIM window.
+// Scores `a` against `b` without `border` pixels at each edge. Images of 1, 3 or 4 channels (alpha
+// is ignored, and the error is over RGB then). An Error names `name` if sizes or channels differ or
+// too little is left for the SSIM window.
 FrameScore CompareImages(const std::string& name, const Image& a, const Image& b, int border);
 
 // The images of two paths (datasets/image_list.h), paired by file name. An Error names the first

@@ -29,7 +29,8 @@ Image DisplayedImage(Image image, ColorEncoding encoding);
 // The first 3 channels of an image with 4; any other image as it is.
 Image WithoutAlpha(const Image& image);
 
-// Cuts the largest centred window of at most `side` pixels in each axis; 0 leaves the image as it is.
+// Cuts the largest centred window of at most `side` pixels in each axis; 0 leaves the image as it
+// is.
 Image CenterCrop(const Image& image, int side);
 
 }  // namespace warplut

@@ -64,7 +64,8 @@ class PlainHistory {
   std::vector<PlainTexel> texels_;
 };
 
-// out(p) = sampler(history, x, y, dx, dy) with p - m = texel (x, y) + (dx, dy), d in [0, 1). Motion is finite.
+// out(p) = sampler(history, x, y, dx, dy) with p - m = texel (x, y) + (dx, dy), d in [0, 1). Motion
+// is finite.
 template <class Sampler>
 void PlainWarp(const ImageView& image, const MotionView& motion, Sampler sampler,
                const MutableImageView& out) {

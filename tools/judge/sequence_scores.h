@@ -29,7 +29,8 @@ struct SequenceScores {
   std::string method;
   std::vector<FrameScore> frames;
   std::vector<double>
-      temporal;  // of each of `frames`: RMS against the frame before it; NaN where that has no error
+      // of each of `frames`: RMS against the frame before it; NaN where that has no error
+      temporal;
   FrameScore mean;
   double temporal_error = 0;  // RMS over all pairs of frames; NaN if there is none
   double milliseconds =
@@ -48,9 +49,11 @@ Image JudgedImage(const ImageView& image, ColorEncoding encoding);
 std::vector<std::string> JudgingNotes(const Sequence& sequence,
                                       const std::vector<const MethodInfo*>& methods);
 
-// Judges the frames of one run as they are shown. Methods that generate are judged by their generated frames, the others by all
-// but the first, which has no history; in both cases by those that have a reference. The temporal error is over pairs of neighbouring frames of the
-// clip that were both shown, generated or not, judged or not (but not the first of super resolution); a cut ends a pair.
+// Judges the frames of one run as they are shown. Methods that generate are judged by their
+// generated frames, the others by all but the first, which has no history; in both cases by those
+// that have a reference. The temporal error is over pairs of neighbouring frames of the clip that
+// were both shown, generated or not, judged or not (but not the first of super resolution); a cut
+// ends a pair.
 class SequenceJudge {
  public:
   // `truth`: a clip with JudgingStreams of the method, its motion from frame to frame (every = 1);

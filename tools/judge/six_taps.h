@@ -1,7 +1,7 @@
 // Windowed sincs of six taps per axis: filters to compare with, plain and slow.
 //
-// Taps -2..3, those of the contract's window; the fraction d is in [0, 1]. The weights of an axis are
-// divided by their sum. d = 0 gives the texel itself.
+// Taps -2..3, those of the contract's window; the fraction d is in [0, 1]. The weights of an axis
+// are divided by their sum. d = 0 gives the texel itself.
 #pragma once
 
 #include <array>

@@ -1,9 +1,10 @@
 // The protocols that resampling filters are judged by: an image is warped again and again along a
 // trajectory that ends where it began, and compared with what it was.
 //
-// After each warp the values are clamped to [0, 1]. The score is the mean SSIM (train/metrics/ssim.h) against the
-// original, over the image without kProtocolBorder pixels at each edge, where repeated edge texels are no fault of
-// the filter. Source: Mob-FGSR, figure 4b (six warps by half a pixel); random offsets and longer runs are ours.
+// After each warp the values are clamped to [0, 1]. The score is the mean SSIM
+// (train/metrics/ssim.h) against the original, over the image without kProtocolBorder pixels at
+// each edge, where repeated edge texels are no fault of the filter. Source: Mob-FGSR, figure 4b
+// (six warps by half a pixel); random offsets and longer runs are ours.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,8 @@ namespace warplut {
 inline constexpr int kProtocolBorder = 16;
 // The smallest side of an image that can be judged.
 inline constexpr int kProtocolMinSide = 2 * kProtocolBorder + kSsimWindow;
-// Offsets of random trajectories are multiples of 1 / kProtocolSteps of a pixel: any offset, for every purpose.
+// Offsets of random trajectories are multiples of 1 / kProtocolSteps of a pixel: any offset, for
+// every purpose.
 inline constexpr int kProtocolSteps = 1 << 16;
 
 // "6 half"
@@ -37,7 +39,8 @@ struct ProtocolFilter {
 struct ProtocolOptions {
   int trajectories = 3;    // random ones for each image
   std::uint64_t seed = 1;  // of the random trajectories
-  // Called after each trajectory with its number of warps, by any thread; what it throws ends the evaluation.
+  // Called after each trajectory with its number of warps, by any thread; what it throws ends the
+  // evaluation.
   std::function<void(int warps)> on_warps;
 };
 
@@ -45,7 +48,8 @@ struct ProtocolOptions {
 Image WarpAlong(const ProtocolFilter& filter, std::span<const Displacement> trajectory,
                 const Image& image);
 
-// The image after `warps` warps of the given trajectory of image number `index` (clamped after each warp).
+// The image after `warps` warps of the given trajectory of image number `index`
+// (clamped after each warp).
 Image WarpRepeatedly(const ProtocolFilter& filter, const Protocol& protocol, const Image& image,
                      std::size_t index, int trajectory, std::uint64_t seed);
 

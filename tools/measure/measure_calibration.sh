@@ -1,10 +1,11 @@
 #!/bin/sh
-# Calibrates on some clips, judges by others, and leaves the table of docs/results/calibration.md for tools/measure/update_tables.sh.
-# usage: tools/measure/measure_calibration.sh [--data DIR] OUT
+# Calibrates on some clips, judges by others, and leaves the table of docs/results/calibration.md
+# for tools/measure/update_tables.sh. usage: tools/measure/measure_calibration.sh [--data DIR] OUT
 #   --data DIR   the recorded sequences mobfgsr-sample, stk-lighthouse and stk-scotland
 #                (default: $WARPLUT_DATA; without it only built-in scenes are measured)
 #   OUT          sequences and parameters; the table goes to OUT/tables
-# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
+# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made
+# again.
 set -eu
 
 # shellcheck source=tools/measure/measuring.sh

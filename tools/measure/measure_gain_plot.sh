@@ -1,13 +1,14 @@
 #!/bin/sh
-# Plots |H| of one warp by half a pixel along an axis, over frequency: docs/plots/resampler-gain.svg.
-# usage: tools/measure/measure_gain_plot.sh
-# Reads the table that ships, luts/baked/warplut_iir_x2.json; needs gnuplot. The closed forms are those of
-# luts/filters.h at d = 1/2, where the weights of an axis are (o, 1/2 - o, 1/2 - o, o).
+# Plots |H| of one warp by half a pixel along an axis, over frequency:
+# docs/plots/resampler-gain.svg. usage: tools/measure/measure_gain_plot.sh Reads the table that
+# ships, luts/baked/warplut_iir_x2.json; needs gnuplot. The closed forms are those of luts/filters.h
+# at d = 1/2, where the weights of an axis are (o, 1/2 - o, 1/2 - o, o).
 set -eu
 cd "$(dirname "$0")/../.."
 table=luts/baked/warplut_iir_x2.json
 side=$(sed -n 's/.*"side": \([0-9.e-]*\).*/\1/p' "$table" | head -n 1)
-# The outer weight of the node (1/2, 1/2): row 16 * 32 + 16 of the values, summed over the taps of the other axis.
+# The outer weight of the node (1/2, 1/2): row 16 * 32 + 16 of the values, summed over the taps of
+# the other axis.
 outer=$(awk -F, '/"values": \[/ { at = NR } at && NR == at + 529 { print ($1 + $5 + $9 + $13) / 16384; exit }' "$table")
 mkdir -p docs/plots
 gnuplot << END

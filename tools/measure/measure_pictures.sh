@@ -2,7 +2,8 @@
 # Makes the pictures of docs/pictures, on built-in scenes that nothing was fitted on.
 # usage: tools/measure/measure_pictures.sh OUT
 #   OUT   sequences and all pictures; those that the docs show are copied
-# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
+# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made
+# again.
 set -eu
 
 # shellcheck source=tools/measure/measuring.sh

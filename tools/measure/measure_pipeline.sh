@@ -1,10 +1,11 @@
 #!/bin/sh
-# Measures the pipeline and leaves the tables of docs/results/{pipeline,speed}.md for tools/measure/update_tables.sh.
-# usage: tools/measure/measure_pipeline.sh [--data DIR] OUT
-#   --data DIR   recorded sequences: each is judged with parameters that were calibrated on the others
-#                (default: $WARPLUT_DATA; without it only built-in scenes are measured)
+# Measures the pipeline and leaves the tables of docs/results/{pipeline,speed}.md for
+# tools/measure/update_tables.sh. usage: tools/measure/measure_pipeline.sh [--data DIR] OUT
+#   --data DIR   recorded sequences: each is judged with parameters that were calibrated on the
+#                others (default: $WARPLUT_DATA; without it only built-in scenes are measured)
 #   OUT          sequences, parameters and pictures; the tables go to OUT/tables
-# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
+# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made
+# again.
 set -eu
 
 # shellcheck source=tools/measure/measuring.sh
@@ -68,7 +69,8 @@ scales() {
   mv "$table.part" "$table"
 }
 
-# hdr TABLE: built-in scenes that nothing was fitted on, as sRGB and as linear HDR, at the usual exposure and where much is above white.
+# hdr TABLE: built-in scenes that nothing was fitted on, as sRGB and as linear HDR, at the usual
+# exposure and where much is above white.
 hdr() {
   table=$out/tables/$1.md
   : > "$table.part"
@@ -89,7 +91,8 @@ hdr() {
   mv "$table.part" "$table"
 }
 
-# mean_sr FILTER OPTION...: 'PSNR | SSIM' of super resolution, the mean over the sequences of the options.
+# mean_sr FILTER OPTION...: 'PSNR | SSIM' of super resolution, the mean over the sequences of the
+# options.
 mean_sr() {
   filter=$1
   shift
@@ -101,7 +104,8 @@ mean_sr() {
     | awk -F ' *[|] *' '/^[|] mean/ { mean = 1 } mean && $2 == "sr" { print $3 " | " $4 }'
 }
 
-# filters TABLE: the same pipeline with different filters of the history, on scenes that nothing was fitted on and on recordings.
+# filters TABLE: the same pipeline with different filters of the history, on scenes that nothing was
+# fitted on and on recordings.
 filters() {
   table=$out/tables/$1.md
   for scene in gallery harbour colonnade; do

@@ -1,8 +1,9 @@
 #!/bin/sh
-# Profiles built-in scenes and leaves the tables of docs/results/profile.md for tools/measure/update_tables.sh.
-# usage: tools/measure/measure_profile.sh OUT
+# Profiles built-in scenes and leaves the tables of docs/results/profile.md for
+# tools/measure/update_tables.sh. usage: tools/measure/measure_profile.sh OUT
 #   OUT          sequences and headers; the tables go to OUT/tables
-# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made again.
+# The program is build/release/tools/warplut, or $WARPLUT. Renderings that are there are not made
+# again.
 set -eu
 
 # shellcheck source=tools/measure/measuring.sh

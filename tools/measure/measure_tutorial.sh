@@ -21,7 +21,8 @@ ln -sfn "$root/luts" luts
 # shellcheck disable=SC2317
 warplut() { "$program" "$@"; }
 
-# show TABLE LINES COMMAND: runs COMMAND; the table is the command and the first LINES lines of its output.
+# show TABLE LINES COMMAND: runs COMMAND; the table is the command and the first LINES lines of its
+# output.
 show() {
   echo "-- $1"
   eval "$3" > "$1.txt"

@@ -1,6 +1,7 @@
 # Sourced by the scripts that measure: reads '[--data DIR] OUT' and goes to the root of the project.
-# Sets data (recorded sequences, or nothing), out (an absolute path), warplut (the program); makes out/tables and out/params.
-# The program is build/release/tools/warplut, or $WARPLUT. Defines render_missing.
+# Sets data (recorded sequences, or nothing), out (an absolute path), warplut (the program); makes
+# out/tables and out/params. The program is build/release/tools/warplut, or $WARPLUT. Defines
+# render_missing.
 # shellcheck shell=sh disable=SC2034 # what is set here is used by who sources it
 data=${WARPLUT_DATA:-}
 if [ "${1:-}" = --data ] && [ $# -ge 2 ]; then
@@ -16,7 +17,8 @@ out=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../.." || exit
 warplut=${WARPLUT:-build/release/tools/warplut}
 
-# render_missing SCENE FOLDER OPTION...: renders a built-in scene to FOLDER/SCENE, if it is not there.
+# render_missing SCENE FOLDER OPTION...: renders a built-in scene to FOLDER/SCENE, if it is not
+# there.
 render_missing() {
   scene=$1 folder=$2
   shift 2

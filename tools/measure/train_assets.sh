@@ -1,12 +1,13 @@
 #!/bin/sh
-# Trains and bakes the tables that ship: luts/fits and luts/baked, one for each upscale factor, on the training scenes.
-# usage: tools/measure/train_assets.sh [OBJECTIVE [FOLDER [SCALE...]]]
-#   OBJECTIVE  iir (default): warplut_iir_xSCALE, with a recursive prefilter; warp: warplut_xSCALE; sr: warplut_sr_xSCALE;
-#              t24, t36: warplut_t24_xSCALE and warplut_t36_xSCALE, of 24 and 36 taps without a prefilter
+# Trains and bakes the tables that ship: luts/fits and luts/baked, one for each upscale factor, on
+# the training scenes. usage: tools/measure/train_assets.sh [OBJECTIVE [FOLDER [SCALE...]]]
+#   OBJECTIVE  iir (default): warplut_iir_xSCALE, with a recursive prefilter; warp: warplut_xSCALE;
+#              sr: warplut_sr_xSCALE; t24, t36: warplut_t24_xSCALE and warplut_t36_xSCALE, of 24 and
+#              36 taps without a prefilter
 #   FOLDER     where the training images are rendered, or were before (default: out/assets)
 #   SCALE      which factors (default: 1.3, 1.5, 1.7 and 2; of t24 and t36 2 alone)
-# Needs the release build (tools/quickstart.sh makes it). Without time limits, so that the fits do not depend on the
-# machine's speed.
+# Needs the release build (tools/quickstart.sh makes it). Without time limits, so that the fits do
+# not depend on the machine's speed.
 set -eu
 cd "$(dirname "$0")/../.."
 objective=${1:-iir}

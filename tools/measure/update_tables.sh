@@ -1,9 +1,10 @@
 #!/bin/sh
-# Rewrites the tables of README.md, docs/*.md and docs/results/*.md from the output of the commands that measure them.
-# usage: tools/measure/update_tables.sh FOLDER
-#   FOLDER   holds one file NAME.md for each table to rewrite (quickstart.sh leaves its tables in OUT/tables)
-# The text between '<!-- table: NAME -->' and '<!-- end -->' is replaced. Tables without a file stay as they are.
-# The table 'gains' of README.md is made from the tables of docs/results.
+# Rewrites the tables of README.md, docs/*.md and docs/results/*.md from the output of the commands
+# that measure them. usage: tools/measure/update_tables.sh FOLDER
+#   FOLDER   holds one file NAME.md for each table to rewrite (quickstart.sh leaves its tables in
+#            OUT/tables)
+# The text between '<!-- table: NAME -->' and '<!-- end -->' is replaced. Tables without a file stay
+# as they are. The table 'gains' of README.md is made from the tables of docs/results.
 set -eu
 
 if [ $# -ne 1 ] || [ ! -d "$1" ]; then

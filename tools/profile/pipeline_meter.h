@@ -15,8 +15,9 @@ namespace warplut {
 // One sequence in memory.
 struct ProfileClip {
   Clip input;  // what pipelines run on
-  // What they are judged by: streams of the output grid, motion from frame to frame. Without references, what the full pipeline shows of
-  // `input`, and no temporal error without depth and motion.
+  // What they are judged by: streams of the output grid, motion from frame to frame. Without
+  // references, what the full pipeline shows of `input`, and no temporal error without depth and
+  // motion.
   Clip truth;
   bool has_reference = true;
 };
@@ -32,14 +33,15 @@ struct TimeRatio {
   double median = 0, low = 0, high = 0;
 };
 
-// Ratio of the times of one pipeline to those of another, pass by pass; both have the same number, at least 1, of positive times.
+// Ratio of the times of one pipeline to those of another, pass by pass; both have the same number,
+// at least 1, of positive times.
 TimeRatio RatioOf(const std::vector<double>& times, const std::vector<double>& to);
 
 class PipelineMeter {
  public:
-  // `full`: what clips without references take them from. `options`: times and format of shown frames. Runs that are judged use
-  // `threads` threads (0: one per core), runs that are timed one. `check` is called for every frame that is shown; what it
-  // throws ends the run.
+  // `full`: what clips without references take them from. `options`: times and format of shown
+  // frames. Runs that are judged use `threads` threads (0: one per core), runs that are timed one.
+  // `check` is called for every frame that is shown; what it throws ends the run.
   PipelineMeter(std::vector<ProfileClip> clips, const ProfiledPipeline& full,
                 const ModeRunOptions& options, int threads, std::function<void()> check);
 
@@ -49,9 +51,10 @@ class PipelineMeter {
   // Of each clip. An Error if a clip does not fit, or no frame of it can be judged.
   std::vector<PipelineScore> Judge(const ProfiledPipeline& pipeline);
 
-  // Milliseconds of processor time that the passes of each pipeline take for a frame that it makes, mean over the clips:
-  // [pipeline][pass]. One thread; the pipelines take turns, so that what disturbs one pass disturbs all of them alike. The
-  // first frame that a run makes does not count if there are more, and neither does what lies outside of the passes' bands.
+  // Milliseconds of processor time that the passes of each pipeline take for a frame that it makes,
+  // mean over the clips: [pipeline][pass]. One thread; the pipelines take turns, so that what
+  // disturbs one pass disturbs all of them alike. The first frame that a run makes does not count
+  // if there are more, and neither does what lies outside of the passes' bands.
   std::vector<std::vector<double>> Time(std::span<const ProfiledPipeline* const> pipelines,
                                         int passes);
 

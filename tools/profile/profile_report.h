@@ -1,4 +1,5 @@
-// What a profile found, as tables for people, as JSON for programs, and as the banner of PIPELINE.h.
+// What a profile found, as tables for people, as JSON for programs, and as the banner of
+// PIPELINE.h.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -37,14 +38,15 @@ struct ProfileReport {
   TimeRatio time_by_tiles;
 };
 
-// One row: time of the full pipeline, that of the chosen one and of the method as it ships as shares of it, the change of SSIM,
-// what was left out.
+// One row: time of the full pipeline, that of the chosen one and of the method as it ships as
+// shares of it, the change of SSIM, what was left out.
 TextTable SummaryTable(const ProfileReport& report);
 
 // Rows: every omission alone.
 TextTable AloneTable(const ProfileReport& report);
 
-// Rows: what was taken one after the other, the chosen pipeline on all frames, the method as it ships.
+// Rows: what was taken one after the other, the chosen pipeline on all frames, the method as it
+// ships.
 TextTable TogetherTable(const ProfileReport& report);
 
 // Rows: nodes, storage and lookup.
@@ -58,7 +60,8 @@ std::string ToText(const ProfileReport& report);
 
 nlohmann::ordered_json ToJson(const ProfileReport& report);
 
-// The comment of PIPELINE.h, line by line. Only the line that begins with "Measured" hangs on measured times.
+// The comment of PIPELINE.h, line by line. Only the line that begins with "Measured" hangs on
+// measured times.
 std::vector<std::string> Banner(const ProfileReport& report);
 
 }  // namespace warplut

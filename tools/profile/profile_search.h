@@ -1,15 +1,18 @@
 // The search for the cheapest pipeline within a bound on the error.
 //
 // 1. Each omission alone, against the full pipeline.
-// 2. In rounds: of the omissions that are left the one with the greatest saving, whose error together with those that are taken stays
-//    within the bound, is taken too. What does not stay within it is not tried again; what saves less than can be measured waits.
-// 3. What waits and adds no error at all is taken if it is not slower: a pass that is not there has no code and no parameters.
+// 2. In rounds: of the omissions that are left the one with the greatest saving, whose error
+//    together with those that are taken stays within the bound, is taken too. What does not stay
+//    within it is not tried again; what saves less than can be measured waits.
+// 3. What waits and adds no error at all is taken if it is not slower: a pass that is not there has
+//    no code and no parameters.
 // 4. On all frames: while the error is beyond the bound, what was taken last is given back.
 //
-// The error is the loss of SSIM, the mean over the judged frames, on the clip where it is greatest; it has the same bits on
-// every machine with the same instructions. Times vary: a saving counts as measured where its median over kRoundPasses passes
-// is at least kLeastSaving of the full time and every pass agrees on its sign. Savings are compared in steps of kSavingStep, so
-// that noise seldom decides; within a step the order of Omissions() does.
+// The error is the loss of SSIM, the mean over the judged frames, on the clip where it is greatest;
+// it has the same bits on every machine with the same instructions. Times vary: a saving counts as
+// measured where its median over kRoundPasses passes is at least kLeastSaving of the full time and
+// every pass agrees on its sign. Savings are compared in steps of kSavingStep, so that noise seldom
+// decides; within a step the order of Omissions() does.
 #pragma once
 
 #include <functional>
@@ -65,7 +68,8 @@ struct Extension {
   bool measured = false;
 };
 
-// The greatest loss of SSIM, PSNR and growth of the temporal error over the clips; the time stays 0.
+// The greatest loss of SSIM, PSNR and growth of the temporal error over the clips; the time stays
+// 0.
 PipelineCost CostOf(const std::vector<PipelineScore>& scores,
                     const std::vector<PipelineScore>& full);
 

@@ -1,4 +1,5 @@
-// A pipeline as a profile runs it: a method of the registry whose passes can be left out one by one.
+// A pipeline as a profile runs it: a method of the registry whose passes can be left out one by
+// one.
 #pragma once
 
 #include <vector>
@@ -37,18 +38,21 @@ struct ProfiledPipeline {
   void Drop(float Parameters::*parameter);
 };
 
-// The method as its registry entry configures it, with the filter, formats and parameters of `options`.
+// The method as its registry entry configures it, with the filter, formats and parameters of
+// `options`.
 ProfiledPipeline ShippedPipeline(const ModeRunOptions& options, bool one_grid);
 
-// The same with every pass on that a profile can leave out: the brightness gate of interpolation and the filter of the motion too.
+// The same with every pass on that a profile can leave out: the brightness gate of interpolation
+// and the filter of the motion too.
 ProfiledPipeline FullPipeline(const ModeRunOptions& options, bool one_grid);
 
-// RunMode of it over a clip, with the times of `options` (every, generated, alphas) and its format of shown frames. An Error says
-// why the clip does not fit.
+// RunMode of it over a clip, with the times of `options` (every, generated, alphas) and its format
+// of shown frames. An Error says why the clip does not fit.
 void RunPipeline(const ProfiledPipeline& pipeline, const Clip& clip, const ModeRunOptions& options,
                  Executor& executor, const ShownFrameSink& sink);
 
-// The choices that it fixes; formats of frames stay open, and so does what it does not contain. `encoding`: of all content.
+// The choices that it fixes; formats of frames stay open, and so does what it does not contain.
+// `encoding`: of all content.
 PipelineConfiguration ConfigurationOf(const ProfiledPipeline& pipeline, ColorEncoding encoding);
 
 }  // namespace warplut

@@ -1,8 +1,10 @@
-// How small a table of weights can be on given content: nodes, storage and lookup, against the error that they cause.
+// How small a table of weights can be on given content: nodes, storage and lookup, against the
+// error that they cause.
 //
-// The runtime looks weights up at kNodes nodes. A table of n = 8 or 16 is run as one of kNodes whose rows are what lookup in
-// the table of n gives: for the bilinear lookup the same weights (up to 2^-22 where the storage is f32); for the nearest lookup
-// offsets within 1 / 64 of the middle between two nodes take the farther of the two on one side. Tables of more than kNodes
+// The runtime looks weights up at kNodes nodes. A table of n = 8 or 16 is run as one of kNodes
+// whose rows are what lookup in the table of n gives: for the bilinear lookup the same weights
+// (up to 2^-22 where the storage is f32); for the nearest lookup offsets within 1 / 64 of the
+// middle between two nodes take the farther of the two on one side. Tables of more than kNodes
 // nodes are not run: they are larger than what the full pipeline has.
 #pragma once
 
@@ -36,19 +38,21 @@ struct SmallerTable {
   bool CanBeBaked() const { return nodes == kNodes; }
 };
 
-// Bytes of a table with n nodes per axis, and of its nodes (i, j) with 0 <= j <= i <= n / 2 (n even), of which symmetry gives the others.
+// Bytes of a table with n nodes per axis, and of its nodes (i, j) with 0 <= j <= i <= n / 2
+// (n even), of which symmetry gives the others.
 std::size_t TableBytes(int nodes, TableFormat format, Footprint footprint = Footprint::k16);
 std::size_t EighthBytes(int nodes, TableFormat format, Footprint footprint = Footprint::k16);
 
 // The stored table with all nodes, its last included.
 RealTable ToRealTable(const TableView& view);
 
-// Every (intervals / nodes)-th node, rounded to `format`, then all nodes that the runtime has by `lookup` in it: see above. `table` has
-// kNodes intervals and kNodes is a multiple of `nodes`. Errors as RoundTable.
+// Every (intervals / nodes)-th node, rounded to `format`, then all nodes that the runtime has by
+// `lookup` in it: see above. `table` has kNodes intervals and kNodes is a multiple of `nodes`.
+// Errors as RoundTable.
 BakedTable RunnableTable(const RealTable& table, int nodes, TableFormat format, Lookup lookup);
 
-// Runs `pipeline`, whose filter is a LUT, with every smaller table made from `table`, and compares with `full`. `step` is
-// called before every one of them with the share that is done.
+// Runs `pipeline`, whose filter is a LUT, with every smaller table made from `table`, and compares
+// with `full`. `step` is called before every one of them with the share that is done.
 std::vector<SmallerTable> TrySmallerTables(PipelineMeter& meter, const ProfiledPipeline& pipeline,
                                            const RealTable& table,
                                            const std::vector<PipelineScore>& full,

@@ -18,7 +18,8 @@ struct TileShares {
 // One element for each clip of the meter.
 std::vector<TileShares> CountTiles(PipelineMeter& meter, const ProfiledPipeline& pipeline);
 
-// The time of the pipeline by that of the same without a look at what tiles have in common (WarpOptions::general_only).
+// The time of the pipeline by that of the same without a look at what tiles have in common
+// (WarpOptions::general_only).
 TimeRatio TimeByTiles(PipelineMeter& meter, const ProfiledPipeline& pipeline, int passes);
 
 // Share of tiles in [0, 1]; 0 where none was warped.

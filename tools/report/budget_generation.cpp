@@ -63,7 +63,8 @@ PixelMask Where(const Source& before, bool by_before, const Source& after, bool 
   return mask;
 }
 
-// Pixels at which no blend of the sources that show the surface has the local luma of the reference.
+// Pixels at which no blend of the sources that show the surface has the local luma of the
+// reference.
 PixelMask ShadingChanged(const Source& before, const Source& after, const Image& reference) {
   const Image a = LocalLumaError(before.image, reference, before.visible);
   const Image b = LocalLumaError(after.image, reference, after.visible);

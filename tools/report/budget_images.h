@@ -19,16 +19,18 @@ Image WarpedImage(const Image& image, const MotionView& motion, const WarpOption
 // Copies the pixels of the mask from `from`; images of one size.
 void CopyMasked(const Image& from, const PixelMask& mask, Image& to);
 
-// The luma of `image` minus that of `reference`, averaged over those of the 5 x 5 pixels around each that are in the mask; 0 where
-// none is. Errors of resampling nearly cancel in it, as every filter keeps the mean; a change of shading stays.
+// The luma of `image` minus that of `reference`, averaged over those of the 5 x 5 pixels around
+// each that are in the mask; 0 where none is. Errors of resampling nearly cancel in it, as every
+// filter keeps the mean; a change of shading stays.
 Image LocalLumaError(const Image& image, const Image& reference, const PixelMask& mask);
 
 // A local luma error beyond this, five codes of eight bits, is a change of shading.
 inline constexpr float kShadingChange = 0.02f;
 
-// The best that blends of the two can do: at each pixel the colour on the segment from a to b, at the share (in [0, 1]) with
-// the least squared distance from the reference over the (2 radius + 1)^2 pixels around it. Radius 0 lets every pixel choose
-// for itself, and so fits noise; a larger one is what a rule could know that looks at more than one pixel.
+// The best that blends of the two can do: at each pixel the colour on the segment from a to b, at
+// the share (in [0, 1]) with the least squared distance from the reference over the
+// (2 radius + 1)^2 pixels around it. Radius 0 lets every pixel choose for itself, and so fits
+// noise; a larger one is what a rule could know that looks at more than one pixel.
 Image BestBlend(const Image& a, const Image& b, const Image& reference, int radius);
 
 // Takes from `from` the pixels around which (as above) it is nearer to the reference.

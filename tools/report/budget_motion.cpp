@@ -64,8 +64,8 @@ bool SameSurface(double a, double b) {
   return std::abs(DepthDifference(DepthMeasure::kRelative, a, b)) <= kSameSurface;
 }
 
-// The motion of the next frame at a position (pixel centres at + 1/2), bilinear among the texels that show a surface at about
-// `depth`; nothing outside the image or where no texel does.
+// The motion of the next frame at a position (pixel centres at + 1/2), bilinear among the texels
+// that show a surface at about `depth`; nothing outside the image or where no texel does.
 std::optional<Vec2> NextMotion(const FrameGeometry& next, const Vec2& position, double depth) {
   const int width = next.motion.width, height = next.motion.height;
   if (!(position.x >= 0 && position.y >= 0 && position.x <= width && position.y <= height)) {
@@ -90,7 +90,8 @@ std::optional<Vec2> NextMotion(const FrameGeometry& next, const Vec2& position, 
   return Vec2{sum.x / total, sum.y / total};
 }
 
-// The first source pixel of the next frame that arrives at each pixel, least depth first; -1 without one.
+// The first source pixel of the next frame that arrives at each pixel, least depth first; -1
+// without one.
 std::vector<int> Arrivals(const FrameGeometry& next) {
   const int width = next.motion.width, height = next.motion.height;
   std::vector<int> arrivals(static_cast<std::size_t>(width) * height, -1);
@@ -109,7 +110,8 @@ std::vector<int> Arrivals(const FrameGeometry& next) {
   return arrivals;
 }
 
-// v at a pixel centre p, from the arrival at a neighbour as a first guess; *closure is how far it fails to close.
+// v at a pixel centre p, from the arrival at a neighbour as a first guess; *closure is how far it
+// fails to close.
 std::optional<Vec2> Follow(const FrameGeometry& next, const Vec2& p, double depth, Vec2 v,
                            double* closure) {
   for (int i = 0; i < kIterations; ++i) {

@@ -73,7 +73,8 @@ PixelMask Changed(const Image& warped, const Image& reference, const PixelMask& 
   return changed;
 }
 
-// O, or what is nearer to the reference between the current frame and the history; the reference where `truth` is set.
+// O, or what is nearer to the reference between the current frame and the history; the reference
+// where `truth` is set.
 Image BestOf(const Image& shown, const Image& current, const Image& history, const Image& reference,
              int radius, const PixelMask& truth) {
   Image best = shown;

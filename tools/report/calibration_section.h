@@ -6,7 +6,8 @@
 
 namespace warplut {
 
-// Of the study in calibration_study.h, for super resolution and its a, b and T_D, on small pieces of some of the clips.
+// Of the study in calibration_study.h, for super resolution and its a, b and T_D, on small pieces
+// of some of the clips.
 ReportSection CalibrationSection(const ReportInputs& inputs);
 
 }  // namespace warplut

@@ -10,7 +10,8 @@
 namespace warplut {
 namespace {
 
-// Notes the least loss on hard gates after each run; gates of finite width cost a run and show nothing.
+// Notes the least loss on hard gates after each run; gates of finite width cost a run and show
+// nothing.
 class TracedFunction final : public ResidualFunction {
  public:
   explicit TracedFunction(ResidualFunction& function) : function_(function) {}

@@ -1,4 +1,5 @@
-// Calibration beside searches that know nothing: the loss against the number of runs of the pipeline.
+// Calibration beside searches that know nothing: the loss against the number of runs of the
+// pipeline.
 #pragma once
 
 #include <functional>
@@ -8,13 +9,15 @@
 
 namespace warplut {
 
-// All searches start with the losses of `base` and of the paper's constants, as Calibrate does, and know no other point.
+// All searches start with the losses of `base` and of the paper's constants, as Calibrate does, and
+// know no other point.
 struct CalibrationStudyOptions {
   std::vector<int> fitted;  // as in CalibrationOptions
   Parameters base;
   int seeds = 5;          // of calibrations: 1 .. seeds, each with its own random starts
   int random_seeds = 15;  // of random searches
-  // Points per axis, ascending: a grid of n has n^d runs, d parameters, at the centres of n^d equal cells of the range.
+  // Points per axis, ascending: a grid of n has n^d runs, d parameters, at the centres of n^d equal
+  // cells of the range.
   std::vector<int> grids = {2, 3, 4, 5, 6, 8, 10};
   std::function<void(double share)> progress = [](double) {};
   std::function<bool()> go_on = [] {
@@ -40,7 +43,9 @@ struct CalibrationStudy {
   std::vector<SearchTrace>
       calibrations;  // until the search ends; profiles and standard errors come after it
   std::vector<SearchTrace>
-      random;  // uniform in the unit cube of train/calibration/search_space.h, as long as the longest calibration
+      // uniform in the unit cube of train/calibration/search_space.h, as long as the longest
+      // calibration
+      random;
   std::vector<GridTrace> grids;
   double base_loss = 0, paper_loss = 0;
   bool complete = false;

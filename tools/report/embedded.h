@@ -1,4 +1,5 @@
-// Files that are part of the program (warplut_embed in CMakeLists.txt): the report needs nothing but itself.
+// Files that are part of the program (warplut_embed in CMakeLists.txt): the report needs nothing
+// but itself.
 #pragma once
 
 #include <string_view>

@@ -6,7 +6,8 @@
 
 namespace warplut {
 
-// With pixels, frames and threads, of super resolution, interpolation and extrapolation with default options.
+// With pixels, frames and threads, of super resolution, interpolation and extrapolation with
+// default options.
 ReportSection GrowthSection(const ReportInputs& inputs);
 
 }  // namespace warplut

@@ -8,8 +8,8 @@
 
 namespace warplut {
 
-// Text as it may stand in an element or in a quoted attribute: & < > " ' become entities, control characters other than tab
-// and line feed, which no document may have, are left out. UTF-8 passes.
+// Text as it may stand in an element or in a quoted attribute: & < > " ' become entities, control
+// characters other than tab and line feed, which no document may have, are left out. UTF-8 passes.
 std::string EscapeHtml(std::string_view text);
 
 struct HtmlAttribute {
@@ -21,7 +21,8 @@ struct HtmlAttribute {
 std::string Element(std::string_view name, std::initializer_list<HtmlAttribute> attributes,
                     std::string_view content);
 
-// <name attribute="value">, one of the elements that have no content and no end: img, input, meta, source.
+// <name attribute="value">, one of the elements that have no content and no end: img, input, meta,
+// source.
 std::string VoidElement(std::string_view name, std::initializer_list<HtmlAttribute> attributes);
 
 // "data:TYPE;base64,..."

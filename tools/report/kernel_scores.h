@@ -25,15 +25,17 @@ constexpr const char* Name(OffsetSource source) {
                                          : "motion";
 }
 
-// An image and the displacements that it is warped along, for each source; at every one of kErrorWarps their sum is zero.
+// An image and the displacements that it is warped along, for each source; at every one of
+// kErrorWarps their sum is zero.
 struct KernelProblem {
   Image image;  // luma
   std::array<std::vector<Displacement>, std::size(kOffsetSources)> trajectories;
 };
 
-// The reference of the middle frame, its largest centred window of at most `side` pixels. kMotion follows the motion of a
-// random surface of the clip from frame to frame, and that of another one where it ends; the warp before each of kErrorWarps returns to
-// the start. The same seed gives the same problem.
+// The reference of the middle frame, its largest centred window of at most `side` pixels. kMotion
+// follows the motion of a random surface of the clip from frame to frame, and that of another one
+// where it ends; the warp before each of kErrorWarps returns to the start. The same seed gives the
+// same problem.
 KernelProblem MakeKernelProblem(const Clip& clip, int side, std::uint64_t seed);
 
 // Means over the problems, by kOffsetSources and kErrorWarps.
@@ -44,20 +46,23 @@ struct KernelError {
 using KernelErrors =
     std::array<std::array<KernelError, kErrorWarps.size()>, std::size(kOffsetSources)>;
 
-// Without kProtocolBorder pixels at each edge. The history is stored in `format` after each warp. The same bits for any number of threads.
+// Without kProtocolBorder pixels at each edge. The history is stored in `format` after each warp.
+// The same bits for any number of threads.
 KernelErrors JudgeKernel(const ResamplingKernel& kernel, PixelFormat format,
                          const std::vector<KernelProblem>& problems);
 
-// The Keys parameter with the least mean loss over all sources and both numbers of warps, in float. `on_step` is called before
-// each evaluation.
+// The Keys parameter with the least mean loss over all sources and both numbers of warps, in float.
+// `on_step` is called before each evaluation.
 double BestKeysParameter(const std::vector<KernelProblem>& problems,
                          const std::function<void(double share)>& on_step);
 
-// Compares the kernel's result with what it must equal, and a constant image with itself. Empty, or a sentence.
+// Compares the kernel's result with what it must equal, and a constant image with itself. Empty, or
+// a sentence.
 std::string CheckKernel(const ResamplingKernel& kernel, PixelFormat format);
 
-// Processor time in milliseconds per megapixel of each kernel, on one thread, another motion at every pixel: the median of
-// `repeats` rounds in which each has its turn, after one that does not count. `on_round` is called before each round and may throw.
+// Processor time in milliseconds per megapixel of each kernel, on one thread, another motion at
+// every pixel: the median of `repeats` rounds in which each has its turn, after one that does not
+// count. `on_round` is called before each round and may throw.
 struct KernelTimeOptions {
   int width = 1280, height = 800;
   int repeats = 7;

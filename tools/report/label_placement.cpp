@@ -6,8 +6,8 @@
 namespace warplut {
 namespace {
 
-// Where the label's centre lies from its point: dx and dy in units of (half its size + the point's radius), from beside to
-// farther away.
+// Where the label's centre lies from its point: dx and dy in units of
+// (half its size + the point's radius), from beside to farther away.
 struct Place {
   double dx, dy;
 };

@@ -30,8 +30,9 @@ struct PlacedLabel {
 
 inline constexpr double kPointRadius = 5;  // pixels around a point that labels leave free
 
-// Places the labels one after the other, each at the first of 16 places around its point that lies inside `area` and covers
-// neither a point nor a label that was placed before. As many results as points.
+// Places the labels one after the other, each at the first of 16 places around its point that lies
+// inside `area` and covers neither a point nor a label that was placed before. As many results as
+// points.
 std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelledPoint>& points,
                                      const LabelBox& area);
 

@@ -21,7 +21,8 @@ namespace {
 constexpr const char* kMethod = "sr";
 constexpr int kFrames = 7, kQuickFrames = 5;
 
-// Built-in scenes in the order in which they show what can be left out: a camera at rest, changing light, disocclusion.
+// Built-in scenes in the order in which they show what can be left out: a camera at rest, changing
+// light, disocclusion.
 constexpr std::array<std::string_view, 3> kFirst = {"still", "plaza", "colonnade"};
 
 std::vector<const ReportClip*> InOrder(const std::vector<ReportClip>& clips) {

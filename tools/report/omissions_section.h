@@ -6,8 +6,8 @@
 
 namespace warplut {
 
-// Profiles super resolution on each clip alone, as `warplut profile` does: what each pass buys in error and in time, and the cheapest
-// pipeline within kReportWithin.
+// Profiles super resolution on each clip alone, as `warplut profile` does: what each pass buys in
+// error and in time, and the cheapest pipeline within kReportWithin.
 ReportSection OmissionsSection(const ReportInputs& inputs);
 
 // SSIM that may be lost against every pass together.

@@ -9,8 +9,9 @@
 
 namespace warplut {
 
-// What is drawn or encoded before the page is put together: of a plot by its id its SVG of both shapes; of a picture its PNG
-// files, in the order of the section's pictures (right is empty where the picture has none).
+// What is drawn or encoded before the page is put together: of a plot by its id its SVG of both
+// shapes; of a picture its PNG files, in the order of the section's pictures (right is empty where
+// the picture has none).
 struct PlotFiles {
   std::string wide, narrow;
 };
@@ -27,9 +28,10 @@ struct PageHead {
   std::vector<std::string> paragraphs;  // of what, when, how long
 };
 
-// The page: a table of contents, then the sections, and last "What failed or was left out", all failures of all sections.
-// Plots and pictures are inside as data; letters and colours follow the reader's light or dark scheme; tables can be sorted;
-// everything is readable without scripts. Every id of sections, tables and plots occurs once: else an Error names it.
+// The page: a table of contents, then the sections, and last "What failed or was left out", all
+// failures of all sections. Plots and pictures are inside as data; letters and colours follow the
+// reader's light or dark scheme; tables can be sorted; everything is readable without scripts.
+// Every id of sections, tables and plots occurs once: else an Error names it.
 std::string ReportPage(const PageHead& head, const std::vector<ReportSection>& sections,
                        const PageMedia& media);
 

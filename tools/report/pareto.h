@@ -14,8 +14,9 @@ struct CostPoint {
   double error = 0;
 };
 
-// For each point, the index of one that dominates it: no slower and no worse, and better in one of the two; of several the
-// one with the least error, and then the least time. Nothing for points that are on the front, and for those that are not finite.
+// For each point, the index of one that dominates it: no slower and no worse, and better in one of
+// the two; of several the one with the least error, and then the least time. Nothing for points
+// that are on the front, and for those that are not finite.
 inline std::vector<std::optional<std::size_t>> Dominators(const std::vector<CostPoint>& points) {
   const auto dominates = [](const CostPoint& a, const CostPoint& b) {
     return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error);

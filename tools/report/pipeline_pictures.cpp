@@ -32,8 +32,8 @@ class PictureMaker {
   PictureMaker(const ReportInputs& inputs, const ReportClip& clip, Executor& executor)
       : inputs_(inputs), clip_(clip), executor_(executor) {}
 
-  // The first window of each kind of `method`, among the later half of the frames, where there is a history. A place that is the first
-  // of both kinds is taken once.
+  // The first window of each kind of `method`, among the later half of the frames, where there is a
+  // history. A place that is the first of both kinds is taken once.
   std::vector<PictureWindow> Windows(const MethodInfo& method) {
     WindowChooser chooser(clip_.dense);
     Run(method, [&](const ShownFrame& shown) {

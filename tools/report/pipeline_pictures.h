@@ -8,8 +8,8 @@
 
 namespace warplut {
 
-// Of the clip: super resolution beside bilinear upscaling and beside the reference, and interpolation beside the reference, at
-// their worst window and at that where most was revealed.
+// Of the clip: super resolution beside bilinear upscaling and beside the reference, and
+// interpolation beside the reference, at their worst window and at that where most was revealed.
 std::vector<ReportPicture> PipelinePictures(const ReportInputs& inputs, const ReportClip& clip,
                                             Executor& executor);
 

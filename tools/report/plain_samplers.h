@@ -21,7 +21,8 @@ struct NearestSampler {
   }
 };
 
-// One bilinear fetch, as a texture unit makes it; with d anywhere: it moves to the cell that contains the position.
+// One bilinear fetch, as a texture unit makes it; with d anywhere: it moves to the cell that
+// contains the position.
 inline PlainTexel BilinearFetch(const PlainHistory& history, int x, int y, float dx, float dy) {
   const int whole_x = static_cast<int>(std::floor(dx)), whole_y = static_cast<int>(std::floor(dy));
   x += whole_x;
@@ -56,9 +57,9 @@ struct CatmullRomSampler {
   }
 };
 
-// Catmull-Rom by bilinear fetches: the two inner taps of an axis, whose weights have one sign, are one fetch between them.
-// With 3 x 3 fetches it equals the 16 taps. With 5 the corners, whose weights are small, are left out and the rest is divided
-// by its sum (Jimenez 2016).
+// Catmull-Rom by bilinear fetches: the two inner taps of an axis, whose weights have one sign, are
+// one fetch between them. With 3 x 3 fetches it equals the 16 taps. With 5 the corners, whose
+// weights are small, are left out and the rest is divided by its sum (Jimenez 2016).
 template <bool kCorners>
 struct FetchedCatmullRomSampler {
   PlainTexel operator()(const PlainHistory& history, int x, int y, float dx, float dy) const {
@@ -142,8 +143,8 @@ struct TableSampler {
   }
 };
 
-// The MLP of a fit at the very offset, through the head and all 8 symmetries. The weights of the pixel before are taken again
-// where the offset is the same.
+// The MLP of a fit at the very offset, through the head and all 8 symmetries. The weights of the
+// pixel before are taken again where the offset is the same.
 class MlpSampler {
  public:
   explicit MlpSampler(const std::vector<float>* parameters, Footprint footprint, double kaiser_b)

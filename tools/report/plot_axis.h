@@ -9,7 +9,8 @@ namespace warplut {
 
 class PlotAxis {
  public:
-  // Covers the values that can be drawn, with some room at both ends; without any it is [0, 1], logarithmic [1, 10].
+  // Covers the values that can be drawn, with some room at both ends; without any it is [0, 1],
+  // logarithmic [1, 10].
   PlotAxis(bool logarithmic, std::span<const double> values);
 
   bool logarithmic() const { return logarithmic_; }
@@ -22,8 +23,8 @@ class PlotAxis {
   // 0 at low(), 1 at high(); the value can be drawn.
   double Share(double value) const;
 
-  // At most about `most` values in the range, ascending: multiples of 1, 2 or 5 times a power of ten; on a logarithmic axis
-  // 1, 2 and 5 times, 1 and 3 times, or every n-th power of ten.
+  // At most about `most` values in the range, ascending: multiples of 1, 2 or 5 times a power of
+  // ten; on a logarithmic axis 1, 2 and 5 times, 1 and 3 times, or every n-th power of ten.
   std::vector<double> Tics(int most) const;
 
  private:

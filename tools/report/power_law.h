@@ -13,8 +13,8 @@ struct PowerLaw {
 };
 
 // Least squares of log y = log c + k log x, all points with the same weight. The standard error is
-// sqrt(sum of squared residuals / (n - 2) / sum of squared deviations of log x). At least two points with different x; all
-// positive: otherwise everything is NaN.
+// sqrt(sum of squared residuals / (n - 2) / sum of squared deviations of log x). At least two
+// points with different x; all positive: otherwise everything is NaN.
 PowerLaw FitPowerLaw(std::span<const double> x, std::span<const double> y);
 
 // "0.98 +- 0.02", or "0.98" without a standard error.

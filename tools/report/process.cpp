@@ -17,7 +17,8 @@ namespace {
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-// Files without a name: unlike pipes they hold any amount, so that no side has to wait for the other.
+// Files without a name: unlike pipes they hold any amount, so that no side has to wait for the
+// other.
 using TemporaryFile = std::unique_ptr<std::FILE, CloseFile>;
 
 TemporaryFile MakeTemporaryFile(const std::string& program) {

@@ -14,8 +14,8 @@ struct ProcessResult {
   std::string err;     // standard error
 };
 
-// Runs arguments[0], looked up in PATH, with `input` as its standard input, and waits. An Error names the program if the
-// machine refuses: no process or no temporary file can be made.
+// Runs arguments[0], looked up in PATH, with `input` as its standard input, and waits. An Error
+// names the program if the machine refuses: no process or no temporary file can be made.
 ProcessResult RunProcess(const std::vector<std::string>& arguments, std::string_view input);
 
 }  // namespace warplut

@@ -12,8 +12,8 @@ struct Quartiles {
   double low = 0, median = 0, high = 0;
 };
 
-// Between the two nearest order statistics, linearly: the share p lies at p (n - 1), counted from 0. `values` is not empty and
-// has no NaN.
+// Between the two nearest order statistics, linearly: the share p lies at p (n - 1), counted from
+// 0. `values` is not empty and has no NaN.
 inline Quartiles QuartilesOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {

@@ -45,9 +45,10 @@ struct ReportOutcome {
   double seconds = 0;
 };
 
-// Makes the sections and writes them (report_files.h) into the folder, with the scenes that it renders and the fits that
-// ship beside them. A section that fails is told on the page, and the rest goes on. An Error if gnuplot is missing, the inputs cannot
-// be had, a file cannot be written, or the program was interrupted: then the page is as it was before.
+// Makes the sections and writes them (report_files.h) into the folder, with the scenes that it
+// renders and the fits that ship beside them. A section that fails is told on the page, and the
+// rest goes on. An Error if gnuplot is missing, the inputs cannot be had, a file cannot be written,
+// or the program was interrupted: then the page is as it was before.
 ReportOutcome MakeReport(const ReportOptions& options);
 
 }  // namespace warplut

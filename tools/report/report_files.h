@@ -16,8 +16,9 @@ namespace warplut {
 //   tables/ID.md     the tables, for tools/measure/update_tables.sh
 //   plots/ID.svg     the plots, wide
 //   pictures/*.png   the pictures
-// A plot that cannot be drawn becomes a failure of its section. `on_file` is called before each plot and picture, and may throw, which
-// leaves an old page as it was. An Error names the file that could not be written.
+// A plot that cannot be drawn becomes a failure of its section. `on_file` is called before each
+// plot and picture, and may throw, which leaves an old page as it was. An Error names the file that
+// could not be written.
 void WriteReport(const std::filesystem::path& folder, const PageHead& head,
                  std::vector<ReportSection> sections, const std::function<void()>& on_file);
 

@@ -35,7 +35,8 @@ struct ReportLut {
   }
 };
 
-// One sequence in memory. Streams that it lacks are empty in its frames; color, reference and reference_motion are there.
+// One sequence in memory. Streams that it lacks are empty in its frames; color, reference and
+// reference_motion are there.
 struct ReportClip {
   std::string name;   // of the sequence; unique among the clips
   Sequence sequence;  // its manifest; frames can be read again from its files
@@ -50,8 +51,8 @@ struct ReportInputs {
   bool quick = false;
   std::uint64_t seed = 1;
   int threads = 0;  // at most; 0: one per core
-  // Wall time in which the section at hand is to be done; it takes less of its problems where they would last longer, and says
-  // so in `failures`. Set anew for each section.
+  // Wall time in which the section at hand is to be done; it takes less of its problems where they
+  // would last longer, and says so in `failures`. Set anew for each section.
   double seconds = 0;
   std::string command_line;  // that made the report
   std::string
@@ -60,14 +61,15 @@ struct ReportInputs {
   ReportLut pipeline_lut;  // for the history of super resolution
   std::vector<ReportClip> clips;
   std::vector<ReportClip>
-      larger_clips;  // the same scenes with more pixels, fewer of them; empty for a person's own sequences
-  // Called at least each second with the share of the section's work that is done, from any thread. Throws an Error when the
-  // program is to stop, which the section lets pass.
+      // the same scenes with more pixels, fewer of them; empty for a person's own sequences
+      larger_clips;
+  // Called at least each second with the share of the section's work that is done, from any thread.
+  // Throws an Error when the program is to stop, which the section lets pass.
   std::function<void(double share, const std::string& note)> progress = [](double, const auto&) {};
 };
 
-// How a method is run in the report: its defaults, with the table of the pipeline, and with the motion filter where motion is
-// quantised. `inputs` outlives the options.
+// How a method is run in the report: its defaults, with the table of the pipeline, and with the
+// motion filter where motion is quantised. `inputs` outlives the options.
 inline ModeRunOptions ReportRunOptions(const ReportInputs& inputs, const MethodInfo& method) {
   ModeRunOptions options;
   options.method = &method;

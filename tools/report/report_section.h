@@ -15,7 +15,8 @@ struct ReportTable {
   TextTable table;
 };
 
-// One series of points. `labels`, if not empty, name the points one by one; `low` and `high`, if not empty, are error bars in y.
+// One series of points. `labels`, if not empty, name the points one by one; `low` and `high`, if
+// not empty, are error bars in y.
 struct PlotSeries {
   std::string name;
   std::vector<double> x = {}, y = {};
@@ -33,7 +34,8 @@ struct ReportPlot {
   std::vector<PlotSeries> series;
 };
 
-// Two pictures of one size under a slider; `right` may be empty (one picture). Values in [0, 1] are shown as they are.
+// Two pictures of one size under a slider; `right` may be empty (one picture). Values in [0, 1] are
+// shown as they are.
 struct ReportPicture {
   std::string caption;
   std::string left_name, right_name;

@@ -14,7 +14,8 @@
 namespace warplut {
 namespace {
 
-// Okabe and Ito 2008: told apart with any colour vision, on white and on black; their yellow and black are left out.
+// Okabe and Ito 2008: told apart with any colour vision, on white and on black; their yellow and
+// black are left out.
 constexpr std::array<const char*, 6> kColors = {"#0072B2", "#D55E00", "#009E73",
                                                 "#CC79A7", "#E69F00", "#56B4E9"};
 // gnuplot's marks: filled and open circle, square, triangles and diamond.

@@ -1,4 +1,5 @@
-// The problems that trainers are compared on: functions of the MLP's parameters, small enough to be minimised many times.
+// The problems that trainers are compared on: functions of the MLP's parameters, small enough to be
+// minimised many times.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +15,14 @@
 
 namespace warplut {
 
-// kObjective: repeated warps of crops, with the bound on gain (train/fit/mlp_objective.h). kKernel: the weights of a known kernel.
+// kObjective: repeated warps of crops, with the bound on gain (train/fit/mlp_objective.h). kKernel:
+// the weights of a known kernel.
 enum class ProblemKind : std::uint8_t { kObjective, kKernel };
 
 class TrainerProblem {
  public:
-  // `start_factor`: of the last layer of RandomParameters, whose own factor (kLastLayerScale) starts near Catmull-Rom.
+  // `start_factor`: of the last layer of RandomParameters, whose own factor (kLastLayerScale)
+  // starts near Catmull-Rom.
   TrainerProblem(std::string name, ProblemKind kind, double start_factor)
       : name_(std::move(name)), kind_(kind), start_factor_(start_factor) {}
   virtual ~TrainerProblem() = default;
@@ -52,7 +55,8 @@ class HalfPixelObjective final : public Objective {
   HalfPixelObjective(std::vector<BorderedPlane> crops, int warps);
 };
 
-// J = L + kGainPenaltyFactor P with the bound of the objective's longest horizon (DefaultGainBound).
+// J = L + kGainPenaltyFactor P with the bound of the objective's longest horizon
+// (DefaultGainBound).
 std::unique_ptr<const TrainerProblem> ObjectiveProblem(std::string name,
                                                        std::unique_ptr<const Objective> objective,
                                                        double start_factor);
@@ -62,17 +66,19 @@ std::unique_ptr<const TrainerProblem> HalfPixelProblem(
     std::string name, std::unique_ptr<const HalfPixelObjective> objective, int grid,
     double start_factor);
 
-// 1/2 sum of (w(theta) - kernel)^2 over the canonical nodes and their weights, divided by the number of nodes.
+// 1/2 sum of (w(theta) - kernel)^2 over the canonical nodes and their weights, divided by the
+// number of nodes.
 std::unique_ptr<const TrainerProblem> KernelProblem(std::string name,
                                                     const CanonicalWeights<double>& kernel,
                                                     double start_factor);
 
-// The Keys kernel with what the head of the MLP makes of it (luts/fit/head.h): its first moment is the offset, so that the MLP can come as
-// near to it as it likes.
+// The Keys kernel with what the head of the MLP makes of it (luts/fit/head.h): its first moment is
+// the offset, so that the MLP can come as near to it as it likes.
 CanonicalWeights<double> KeysByHead(double a);
 
-// Which problems a study has: every content, upscale factor (its DefaultHorizons), mix of horizons (the two shortest; all) and
-// start; half-pixel warps of every content; KeysByHead of several a to be fitted.
+// Which problems a study has: every content, upscale factor (its DefaultHorizons), mix of horizons
+// (the two shortest; all) and start; half-pixel warps of every content; KeysByHead of several a to
+// be fitted.
 struct ProblemSet {
   std::vector<double> scales = {1.5, 2};
   std::vector<double> starts = {1, 10};  // start_factor

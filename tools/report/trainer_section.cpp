@@ -167,7 +167,8 @@ class Presentation {
     table.rows.push_back(std::move(row));
   }
 
-  // Evenly spaced in their logarithm, from the first evaluation of any run of the group to its last gain.
+  // Evenly spaced in their logarithm, from the first evaluation of any run of the group to its last
+  // gain.
   std::vector<double> Amounts(const Group& group, Work work) const {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const Trainer trainer : group.trainers) {

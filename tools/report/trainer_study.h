@@ -13,8 +13,9 @@
 
 namespace warplut {
 
-// kLbfgs and kAdam are those of train/fit/minimize.h; kLevenbergMarquardt fits kernels alone (trainer_kernel_fit.h); kKeys is the best of
-// the kernels that Keys has, by golden section over a in [-1, 0].
+// kLbfgs and kAdam are those of train/fit/minimize.h; kLevenbergMarquardt fits kernels alone
+// (trainer_kernel_fit.h); kKeys is the best of the kernels that Keys has, by golden section over a
+// in [-1, 0].
 enum class Trainer : std::uint8_t { kLbfgs, kAdam, kLevenbergMarquardt, kKeys };
 
 inline constexpr Trainer kTrainers[] = {Trainer::kLbfgs, Trainer::kAdam,
@@ -36,17 +37,17 @@ constexpr const char* Name(Trainer trainer) {
 
 bool Applies(Trainer trainer, const TrainerProblem& problem);
 
-// A point of a trajectory: the least loss so far. Evaluations are those of the loss, with or without gradient; seconds are of the
-// processor.
+// A point of a trajectory: the least loss so far. Evaluations are those of the loss, with or
+// without gradient; seconds are of the processor.
 struct TracePoint {
   int evaluations = 0;
   double seconds = 0;
   double loss = 0;
 };
 
-// From the problem's start of that seed, until `evaluations` are spent or nothing more is gained. One point for each gain, the
-// first for the first evaluation. The same arguments give the same losses. Runs on the calling thread if that lies in an arena
-// of one (TBB).
+// From the problem's start of that seed, until `evaluations` are spent or nothing more is gained.
+// One point for each gain, the first for the first evaluation. The same arguments give the same
+// losses. Runs on the calling thread if that lies in an arena of one (TBB).
 std::vector<TracePoint> RunTrainer(const TrainerProblem& problem, Trainer trainer,
                                    std::uint64_t seed, int evaluations);
 

@@ -32,8 +32,8 @@ struct DepthFormat {
   }
 };
 
-// The depth of two neighbouring codes of the format, the ones around view depth `distance`, as the product decodes them; the
-// nearer first.
+// The depth of two neighbouring codes of the format, the ones around view depth `distance`, as the
+// product decodes them; the nearer first.
 std::array<float, 2> NeighbourDepths(const DepthFormat& format, double distance) {
   const DepthStream stream = format.Stream();
   Image depth(1, 1, 1);
@@ -59,7 +59,8 @@ double Difference(const DepthFormat& format, double distance) {
   return DepthDifference(DepthMeasure::kRelative, double{farther}, double{nearer});
 }
 
-// The view depth from which on neighbouring codes differ by more than the threshold; far where they never do.
+// The view depth from which on neighbouring codes differ by more than the threshold; far where they
+// never do.
 double RejectedFrom(const DepthFormat& format, double threshold) {
   double low = std::log(2 * format.near), high = std::log(format.far);
   const auto rejects = [&](double logarithm) {
@@ -74,9 +75,10 @@ double RejectedFrom(const DepthFormat& format, double threshold) {
   return std::exp(high);
 }
 
-// 1 / D is linear in z: neighbouring codes, dz apart, have 1 / D1 - 1 / D2 = k = dz (f - n) / (n f), hence D2 / D1 - 1 = k D2. The
-// gate rejects from D1 = T / (k (1 + T)) on. Forward floats below 1 are 2^-24 apart; reversed ones are apart by a part of their
-// size, so that D2 / D1 - 1 is at most 2^-23 at any distance.
+// 1 / D is linear in z: neighbouring codes, dz apart, have 1 / D1 - 1 / D2 = k = dz
+// (f - n) / (n f), hence D2 / D1 - 1 = k D2. The gate rejects from D1 = T / (k (1 + T)) on. Forward
+// floats below 1 are 2^-24 apart; reversed ones are apart by a part of their size, so that
+// D2 / D1 - 1 is at most 2^-23 at any distance.
 double DerivedRejection(const DepthFormat& format, double threshold) {
   if (format.bits == 0 && format.kind == DepthKind::kReversed) return format.far;
   const double dz = format.bits > 0 ? 1 / (std::ldexp(1.0, format.bits) - 1) : std::ldexp(1.0, -24);

@@ -19,8 +19,8 @@ constexpr float kStart = 0.05f;
 
 std::vector<float> Widths() { return {1, 1e-1f, 1e-2f, 1e-3f, 1e-4f, 1e-5f, 1e-6f}; }
 
-// One pixel whose difference is the threshold that a search starts at: the middle of the ramp, at any width. Letting it pass
-// costs 0.5, and every e-fold of the threshold 0.02.
+// One pixel whose difference is the threshold that a search starts at: the middle of the ramp, at
+// any width. Letting it pass costs 0.5, and every e-fold of the threshold 0.02.
 class StiffGate final : public ResidualFunction {
  public:
   std::size_t Size() const override { return 2; }
@@ -121,8 +121,9 @@ StabilityResult GateBeyondRange(StabilityEffort) {
                       limited, numbers, sentence)};
 }
 
-// A plain step of the size that suits width 1 (1 / curvature, the gradient's square in the Gauss-Newton sense) against
-// Levenberg-Marquardt on differences of a fixed size, whose slope is at most 1 / kDifference.
+// A plain step of the size that suits width 1 (1 / curvature, the gradient's square in the
+// Gauss-Newton sense) against Levenberg-Marquardt on differences of a fixed size, whose slope is at
+// most 1 / kDifference.
 StabilityResult StiffGateSteps(StabilityEffort) {
   const SearchSpace space({kThreshold}, {});
   const double start = space.Coordinate(0, kStart);
@@ -171,7 +172,8 @@ StabilityResult GateNotIdentified(StabilityEffort) {
   bool passed = true;
   std::string observed;
   for (const bool acts : {false, true}) {
-    // Either the threshold alone does nothing, or all that parameters act on is far below what counts.
+    // Either the threshold alone does nothing, or all that parameters act on is far below what
+    // counts.
     GateModel model({.threshold_acts = acts, .scale = acts ? 1e-9 : 1.0});
     CalibrationOptions options;
     options.fitted = {kThreshold, kBlendA};

@@ -1,7 +1,8 @@
 // Derivatives to compare an analytic gradient with.
 //
-// Complex step: f'(x) = Im f(x + i h) / h, without cancellation and for h = 1e-100 exact to rounding, for any f that is real and
-// analytic. Source: Squire and Trapp, "Using complex variables to estimate derivatives of real functions", 1998.
+// Complex step: f'(x) = Im f(x + i h) / h, without cancellation and for h = 1e-100 exact to
+// rounding, for any f that is real and analytic. Source: Squire and Trapp, "Using complex variables
+// to estimate derivatives of real functions", 1998.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,8 @@ inline constexpr double kComplexStep = 1e-100;
 inline Complex Seeded(double value, double direction) { return {value, kComplexStep * direction}; }
 inline double Derivative(const Complex& value) { return value.imag() / kComplexStep; }
 
-// A direction of random signs: a point seeded in it, and what a gradient there says of the derivative along it.
+// A direction of random signs: a point seeded in it, and what a gradient there says of the
+// derivative along it.
 struct SeededDirection {
   std::vector<Complex> point;
   double analytic = 0;

@@ -103,7 +103,8 @@ GradientError ObjectiveError(const Objective& objective, int directions) {
   });
 }
 
-// Of J in the MLP's parameters: exact derivatives of the weights, then those of the objective and the penalty.
+// Of J in the MLP's parameters: exact derivatives of the weights, then those of the objective and
+// the penalty.
 GradientError ParameterError(const Objective& objective, double scale, int directions) {
   constexpr double kBound = 1.02;
   std::vector<double> parameters = RandomParameters(3);
@@ -182,8 +183,8 @@ StabilityResult RolloutGradientOfWeights(StabilityEffort effort) {
   return observed.Within(1e-4);
 }
 
-// The training's offsets are nodes: 0, 1/2 and 31/32 are its extremes. The last loses so little that roundings of the images, 2^-24,
-// are a part of 1e-4 of it.
+// The training's offsets are nodes: 0, 1/2 and 31/32 are its extremes. The last loses so little
+// that roundings of the images, 2^-24, are a part of 1e-4 of it.
 StabilityResult RolloutGradientAtOffsets(StabilityEffort effort) {
   Observed observed;
   for (const double offset : {0.0, 0.5, 1.0 / kNodes}) {

@@ -48,7 +48,8 @@ double SsimError(const Image& x, const Image& y) {
   return RelativeError(gradient, exact);
 }
 
-// The error of g . v by HeadBatch against the complex step of the slow head, relative to the size of g.
+// The error of g . v by HeadBatch against the complex step of the slow head, relative to the size
+// of g.
 StabilityResult HeadErrorAt(double scale, int directions, double bound) {
   std::vector<double> parameters = RandomParameters(3);
   for (double& p : parameters) p *= scale;
@@ -142,7 +143,8 @@ StabilityResult HeadGradientAtExtremeOffsets(StabilityEffort) {
   return {worst <= 1e-14, fmt::format("absolute error {:.1e}", worst)};
 }
 
-// P is a polynomial of degree 4 but for what is cut off at 0, whose square is smooth to first order.
+// P is a polynomial of degree 4 but for what is cut off at 0, whose square is smooth to first
+// order.
 StabilityResult GainPenaltyGradient(StabilityEffort effort) {
   const GainPenalty penalty(1.005);
   std::vector<double> saturated = RandomParameters(1);
@@ -184,7 +186,8 @@ StabilityResult GainPenaltyGradient(StabilityEffort effort) {
   return {worst <= 1e-6, observed};
 }
 
-// The calibration has no analytic derivative: its steps of kDifference are compared with fourth-order differences a hundredth as long.
+// The calibration has no analytic derivative: its steps of kDifference are compared with
+// fourth-order differences a hundredth as long.
 StabilityResult CalibrationDifferences(StabilityEffort) {
   const SearchSpace space({0, 3, 4}, {});
   GateModel model({});

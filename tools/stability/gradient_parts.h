@@ -1,4 +1,5 @@
-// Gradients of the parts: SSIM, the head and its MLP, the penalty on gain, the differences of the calibration.
+// Gradients of the parts: SSIM, the head and its MLP, the penalty on gain, the differences of the
+// calibration.
 #pragma once
 
 #include "tools/stability/stability_case.h"

@@ -17,7 +17,8 @@ namespace {
 // Copies of the torus around it: two texels of motion and the taps of the filter.
 constexpr int kApron = 4;
 
-// What looked-up weights may differ by from those of the table, summed over the taps (luts/table.h).
+// What looked-up weights may differ by from those of the table, summed over the taps
+// (luts/table.h).
 constexpr double kWeightRounding = kTaps * kTaps * 0x1p-22;
 
 // The largest value that the loop is judged up to: beyond, the roundings below do not hold.
@@ -141,7 +142,8 @@ LoopResult RunLoop(const LoopOptions& options) {
   options.first(0, values);
   torus.Blend(1, values);
   const double store = Rounding(options.format);
-  // Codes are summed exactly; float kernels keep to their bound. Weights that do not quite sum to 1 change the constant c.
+  // Codes are summed exactly; float kernels keep to their bound. Weights that do not quite sum to 1
+  // change the constant c.
   const double warp = store + kWeightRounding * options.center +
                       (options.format == PixelFormat::kRgba8
                            ? 0.0

@@ -2,9 +2,11 @@
 //
 //   x <- (1 - blend) (W x + e) + blend u + e'
 //
-// x lies on a torus, as the certificate knows no borders; W warps by one motion, u is the input of the frame, e and e' are
-// roundings. With c any constant, g the gain of W, and |.| the root mean square,
-//   |x - c|  <=  r_n,   r_0 = |x_0 - c|,   r_(n+1) = (1 - blend) (g r_n + |e|) + blend |u - c| + |e'|
+// x lies on a torus, as the certificate knows no borders; W warps by one motion, u is the input of
+// the frame, e and e' are roundings. With c any constant, g the gain of W, and |.| the root mean
+// square,
+//   |x - c|  <=  r_n,   r_0 = |x_0 - c|,   r_(n+1) = (1 - blend) (g r_n + |e|) + blend
+//            |u - c| + |e'|
 // as W keeps constants, whatever the inputs are. docs/CERTIFICATE.md has the rest.
 #pragma once
 
@@ -17,7 +19,8 @@
 
 namespace warplut {
 
-// Fills one value in [0, 1] for each pixel of the torus, one row after the other, with those of a frame.
+// Fills one value in [0, 1] for each pixel of the torus, one row after the other, with those of a
+// frame.
 using LoopInput = std::function<void(int frame, std::span<double> values)>;
 
 struct LoopOptions {
@@ -44,7 +47,8 @@ struct LoopResult {
 
 LoopResult RunLoop(const LoopOptions& options);
 
-// The gain of a warp by this motion: of the weights that the filter has at its offset, with what float lookups may add.
+// The gain of a warp by this motion: of the weights that the filter has at its offset, with what
+// float lookups may add.
 double GainOfMotion(const WarpOptions& warp, float motion_x, float motion_y);
 
 }  // namespace warplut

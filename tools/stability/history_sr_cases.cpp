@@ -109,7 +109,8 @@ StabilityResult Settle(int pictures, int frames, std::span<const PixelFormat> fo
                                    moving, count, frames, worst)};
 }
 
-// Root mean square over the interior of the difference of the output from the content, and of the content from its mean.
+// Root mean square over the interior of the difference of the output from the content, and of the
+// content from its mean.
 struct Contrast {
   double error = 0, output = 0, content = 0;
 };

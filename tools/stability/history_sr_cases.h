@@ -1,4 +1,5 @@
-// Cases of the closed loop of super resolution: every method of the registry that keeps a history, with the shipped table.
+// Cases of the closed loop of super resolution: every method of the registry that keeps a history,
+// with the shipped table.
 #pragma once
 
 #include "tools/stability/stability_case.h"

@@ -78,8 +78,8 @@ void FillConstant(int, std::span<double> values) {
   std::fill(values.begin(), values.end(), kConstant);
 }
 
-// A wave on a torus. Advanced by its factor in every frame, as the loop advances what came before: in phase, the worst that can
-// happen to the loop. `advance` false: it stays where it is.
+// A wave on a torus. Advanced by its factor in every frame, as the loop advances what came before:
+// in phase, the worst that can happen to the loop. `advance` false: it stays where it is.
 LoopInput WaveInput(const Wave& wave, int size, double amplitude, bool advance) {
   return [=](int frame, std::span<double> values) {
     const double phase = advance ? frame * std::arg(wave.factor) : 0.0;
@@ -94,7 +94,8 @@ LoopInput WaveInput(const Wave& wave, int size, double amplitude, bool advance) 
   };
 }
 
-// The loop in every format of a history. `passed`: the prediction holds for every frame and the values stay finite.
+// The loop in every format of a history. `passed`: the prediction holds for every frame and the
+// values stay finite.
 struct FormatsResult {
   bool passed = true;
   std::string text;  // the worst ratio to the prediction, and the size after the last frame

@@ -1,4 +1,5 @@
-// Cases of repeated warps, alone and with a plain blend, against the certificate of the shipped tables.
+// Cases of repeated warps, alone and with a plain blend, against the certificate of the shipped
+// tables.
 #pragma once
 
 #include "tools/stability/stability_case.h"

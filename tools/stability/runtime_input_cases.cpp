@@ -185,7 +185,8 @@ StabilityResult MotionOfAMillionPixels(StabilityEffort) {
       worst = std::max(worst, DifferenceFromStill(clip, method, shown, Between::kMean));
       continue;
     }
-    // Every pixel left the image: what is shown is as far outside of it, the texel of the lower left corner.
+    // Every pixel left the image: what is shown is as far outside of it, the texel of the lower
+    // left corner.
     for (std::size_t i = 1; i < shown.size(); ++i) {
       if (!shown[i].generated) continue;
       const ImageView image = shown[i].image.view();
@@ -332,7 +333,8 @@ StabilityResult DepthAllEqual(StabilityEffort) {
 StabilityResult DepthReversed(StabilityEffort) {
   constexpr GridSize kWideRender{96, 18}, kWideOutput{192, 36};
   constexpr int kMargin =
-      40;  // pixels around the object that its depth may reach: motion, taps, boxes, over all frames
+      // pixels around the object that its depth may reach: motion, taps, boxes, over all frames
+      40;
   const Clip right = MovingScene(kWideRender, kWideOutput, kFrames);
   Clip wrong = MovingScene(kWideRender, kWideOutput, kFrames);
   EditDepth(wrong, [](float& depth, int, int, int) { depth = 1 - depth; });

@@ -1,4 +1,5 @@
-// Cases of motion, depth and colour that no renderer should give, for every method of the registry and for the warp.
+// Cases of motion, depth and colour that no renderer should give, for every method of the registry
+// and for the warp.
 #pragma once
 
 #include "tools/stability/stability_case.h"

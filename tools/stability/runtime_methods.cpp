@@ -84,7 +84,8 @@ double DifferenceFromNeighbours(const ImageView& image, const Neighbours& neighb
   return most;
 }
 
-// Of what a method may show: generated frames of finite sources keep to the sources' range and the filter's overshoot.
+// Of what a method may show: generated frames of finite sources keep to the sources' range and the
+// filter's overshoot.
 ValueRange AllowedRange(const Clip& clip, const MethodInfo& method) {
   constexpr double kWeightRounding = 1e-5;  // of weights and their sum
   if (method.super_resolution) return {0, 1};

@@ -1,4 +1,5 @@
-// Methods of the registry on clips with odd input: how they are run, and what must hold whatever the input is.
+// Methods of the registry on clips with odd input: how they are run, and what must hold whatever
+// the input is.
 #pragma once
 
 #include <functional>
@@ -38,7 +39,8 @@ bool SameBits(const ShownImages& a, const ShownImages& b);
 // The largest difference in a channel of two runs of one method.
 double LargestDifference(const ShownImages& a, const ShownImages& b);
 
-// Edits one stream of every frame, on both grids: edit(value, x, y, frame); motion is a pair of values.
+// Edits one stream of every frame, on both grids: edit(value, x, y, frame); motion is a pair of
+// values.
 void EditMotion(Clip& clip, const std::function<void(float* xy, int x, int y, int frame)>& edit);
 void EditDepth(Clip& clip, const std::function<void(float& depth, int x, int y, int frame)>& edit);
 void EditColor(Clip& clip, const std::function<void(float* rgba, int x, int y, int frame)>& edit);
@@ -55,21 +57,25 @@ enum class Between {
   kFarther,  // the one with the farther depth; depths differ by more than the threshold
 };
 
-// The largest difference in a channel from what must be shown without history and without motion: rendered frames as a method
-// without history (with super resolution) or the reference shows them, interpolated ones as `between` says, extrapolated ones
-// as the rendered frame before. The baselines repeat and average are as they always are.
+// The largest difference in a channel from what must be shown without history and without motion:
+// rendered frames as a method without history (with super resolution) or the reference shows them,
+// interpolated ones as `between` says, extrapolated ones as the rendered frame before. The
+// baselines repeat and average are as they always are.
 double DifferenceFromStill(const Clip& clip, const MethodInfo& method, const ShownImages& shown,
                            Between between);
 
-// The method that makes of each frame what `method`, one of super resolution, makes of it without history.
+// The method that makes of each frame what `method`, one of super resolution, makes of it without
+// history.
 const MethodInfo& WithoutHistory(const MethodInfo& method);
 
-// The largest overshoot of one warp by the table, in units of the range of its texels: (sum of |w| - 1) / 2 of the worst node.
+// The largest overshoot of one warp by the table, in units of the range of its texels:
+// (sum of |w| - 1) / 2 of the worst node.
 double Overshoot(const TableView& table);
 
-// Runs every method on clips and checks what must hold for any input: every value finite and in [0, 1], generated frames of
-// finite sources within the range of the sources and the overshoot of the filter, the same bits for 1, 2 and 5 threads, and fast
-// passes as the plain ones, to half a code value.
+// Runs every method on clips and checks what must hold for any input: every value finite and in [0,
+// 1], generated frames of finite sources within the range of the sources and the overshoot of the
+// filter, the same bits for 1, 2 and 5 threads, and fast passes as the plain ones, to half a code
+// value.
 class Examination {
  public:
   // Without and with motion filter, or without alone.

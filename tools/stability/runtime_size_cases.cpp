@@ -40,7 +40,8 @@ StabilityResult ExamineSizes(const Sizes (&list)[n], bool motion_filter = true) 
   return examination.Result();
 }
 
-// The largest difference from the plain warp, in units of its bound, and the range of what came out.
+// The largest difference from the plain warp, in units of its bound, and the range of what came
+// out.
 struct WarpCheck {
   double worst = 0;
   ValueRange range;

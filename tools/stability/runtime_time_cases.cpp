@@ -59,7 +59,8 @@ std::vector<const MethodInfo*> GeneratingMethods() {
   return methods;
 }
 
-// Whether what lay farther counts for nothing, as what lay nearer does: not in super resolution, but the paper's.
+// Whether what lay farther counts for nothing, as what lay nearer does: not in super resolution,
+// but the paper's.
 bool RejectsFarther(const MethodInfo& method) { return !method.super_resolution || method.paper; }
 
 // Every method, or those that are chosen, whose history or motion counts for nothing on this clip.
@@ -90,8 +91,8 @@ Clip JumpingDepth(const Depth& depth) {
   return clip;
 }
 
-// As ShowsNoHistory, where the depth grows by `factor` from frame to frame; where it grows and falls in turn, those that reject what
-// lay farther too.
+// As ShowsNoHistory, where the depth grows by `factor` from frame to frame; where it grows and
+// falls in turn, those that reject what lay farther too.
 StabilityResult ShowsNoHistoryOfOtherDepth(float first, float factor,
                                            const MethodSetup& setup = {}) {
   const auto growing = [=](int frame) {
@@ -192,7 +193,8 @@ StabilityResult AllGatesShut(StabilityEffort) {
 }
 
 StabilityResult EqualDepthTies(StabilityEffort) {
-  // Two bars at one depth, the upper moving down and the lower up, that meet in the generated frame.
+  // Two bars at one depth, the upper moving down and the lower up, that meet in the generated
+  // frame.
   constexpr GridSize kGrid{64, 48};
   constexpr float kUpper[3] = {0.9f, 0.2f, 0.1f}, kLower[3] = {0.1f, 0.3f, 0.8f};
   constexpr int kUpperRow = 10, kLowerRow = 26, kBarRows = 6, kSpeed = 16;

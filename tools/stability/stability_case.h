@@ -1,4 +1,5 @@
-// Stiff and extreme cases: what must happen, and what does. One registry that the tests and the report walk.
+// Stiff and extreme cases: what must happen, and what does. One registry that the tests and the
+// report walk.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,8 @@
 
 namespace warplut {
 
-// kQuick takes at most a second or so: fewer frames, fewer random starts. kFull is what the report shows.
+// kQuick takes at most a second or so: fewer frames, fewer random starts. kFull is what the report
+// shows.
 enum class StabilityEffort : std::uint8_t { kQuick, kFull };
 
 struct StabilityResult {

@@ -13,7 +13,8 @@
 namespace warplut {
 namespace {
 
-// Calls pixel(x, y, texel) for every pixel of a grid on which the render grid has `scale` pixels each.
+// Calls pixel(x, y, texel) for every pixel of a grid on which the render grid has `scale` pixels
+// each.
 template <class Pixel>
 void ForEachTexel(const ClipContent& content, int number, int width, int height, double scale_x,
                   double scale_y, Vec2 jitter, const Pixel& pixel) {

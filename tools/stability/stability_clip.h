@@ -20,7 +20,8 @@ struct ClipTexel {
 // (x, y) in pixels of the render grid; pixel (i, j) has its centre at (i + 0.5, j + 0.5).
 using ClipContent = std::function<ClipTexel(double x, double y, int frame)>;
 
-// Buffers of a frame with every stream; without references where `output` is 0 x 0. Colours are RGBA32F.
+// Buffers of a frame with every stream; without references where `output` is 0 x 0. Colours are
+// RGBA32F.
 ClipFrame MakeClipFrame(GridSize render, GridSize output);
 
 // Fills every pixel of the streams that are there with frame `number` of the content.
@@ -38,7 +39,8 @@ void Texture(double x, double y, double period, float color[3]);
 // A value in [0, 1) that looks random.
 float Noise(int x, int y, int frame);
 
-// The shipped tables of factor 2, ready for the kernels: of objective `sr` (for histories) and of `warp`.
+// The shipped tables of factor 2, ready for the kernels: of objective `sr` (for histories) and of
+// `warp`.
 const Table& HistoryTable();
 const Table& WarpTable();
 // The stored form of the same.
@@ -51,7 +53,8 @@ WarpOptions HistoryWarp(Lookup lookup = Lookup::kBilinear);
 // The pixels of one row after the other; padding does not count.
 bool SameBits(const ImageView& a, const ImageView& b);
 
-// The largest difference of a channel, codes as value / 255; infinite where one is not a number. Sizes are equal.
+// The largest difference of a channel, codes as value / 255; infinite where one is not a number.
+// Sizes are equal.
 double LargestDifference(const ImageView& a, const ImageView& b);
 
 // The share of pixels with a channel that differs by more than `bound`.
@@ -67,7 +70,8 @@ struct ValueRange {
 };
 ValueRange RangeOf(const ImageView& image);
 
-// The largest difference of Warp from WarpReference for values in [0, 1], codes as value / 255 (runtime/warp.h).
+// The largest difference of Warp from WarpReference for values in [0, 1], codes as value / 255
+// (runtime/warp.h).
 double WarpBound(PixelFormat format);
 
 inline constexpr double kHalfCode = 0.5 / 255;

@@ -35,7 +35,8 @@ StabilityOutcome RunStabilityCase(const StabilityCase& stability_case, Stability
 // Group, case, required, observed, verdict; one row for each outcome.
 TextTable StabilityTable(std::span<const StabilityOutcome> outcomes);
 
-// What the product does in each case that is marked as failing: one sentence each, begun by the case.
+// What the product does in each case that is marked as failing: one sentence each, begun by the
+// case.
 std::vector<std::string> StabilityRemarks(std::span<const StabilityOutcome> outcomes);
 
 nlohmann::ordered_json ToJson(std::span<const StabilityOutcome> outcomes);

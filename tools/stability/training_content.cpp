@@ -33,8 +33,9 @@ StabilityResult TrainOn(Image image, StabilityEffort effort) {
   return {result.KeepsContract() && result.SafeFor(problem.horizons.back()), result.Text()};
 }
 
-// A warp changes a constant c by at most e = 16 c 2^-24, its weights summing to 1 in double. After n warps 1 - SSIM is at
-// most (n e)^2 / (2 c^2): 7e-11 for the 12 warps of the problem, in units of kLeastBaseline 4e-5.
+// A warp changes a constant c by at most e = 16 c 2^-24, its weights summing to 1 in double. After
+// n warps 1 - SSIM is at most (n e)^2 / (2 c^2): 7e-11 for the 12 warps of the problem, in units of
+// kLeastBaseline 4e-5.
 constexpr double kRoundingObjective = 4e-5;
 constexpr double kRoundingGradient = 1e-9;
 

@@ -30,7 +30,8 @@ struct Residuals {
   Eigen::MatrixXd jacobian;  // empty where it was not asked for
 };
 
-// Rollouts that lose nothing at these weights, as those whose displacements are 0, have no residual.
+// Rollouts that lose nothing at these weights, as those whose displacements are 0, have no
+// residual.
 constexpr double kNoLoss = 1e-9;
 
 class LossResiduals {
@@ -106,8 +107,8 @@ StabilityResult TrainFromManyStarts(StabilityEffort effort) {
                       100.0 * static_cast<double>(near) / static_cast<double>(results.size()))};
 }
 
-// J has fewer rows than columns, so that J^T J is singular: its other eigenvalues are those of K = J J^T, and a damped step is
-// -J^T (K + lambda)^-1 r.
+// J has fewer rows than columns, so that J^T J is singular: its other eigenvalues are those of
+// K = J J^T, and a damped step is -J^T (K + lambda)^-1 r.
 StabilityResult GaussNewtonAtTheEnd(StabilityEffort effort) {
   const bool full = effort == StabilityEffort::kFull;
   TinyProblem problem = StartsProblem(full);

@@ -29,7 +29,8 @@ TinyResult TrainFrom(double factor, StabilityEffort effort) {
   return RunTiny(problem, MakeObjective(problem), Scaled(factor));
 }
 
-// Whether the scaled start ends within 5 % of where the same training ends from the parameters as they are.
+// Whether the scaled start ends within 5 % of where the same training ends from the parameters as
+// they are.
 StabilityResult Optimum(double factor, StabilityEffort effort) {
   const double scaled = TrainFrom(factor, effort).end, plain = TrainFrom(1, effort).end;
   return {scaled <= 1.05 * plain, fmt::format("{:.4f}, {:.4f} unscaled", scaled, plain)};
@@ -103,7 +104,8 @@ StabilityResult HeadAtExtremeOffsets(StabilityEffort) {
 // residual is 0. The head subtracts what is too much instead of dividing by the sum.
 StabilityResult HeadOfVanishingSum(StabilityEffort) {
   constexpr double kVanishing = -1.0 / 9;
-  // d w / d b = mask - 9 B with masks of at most 1 and B = 1/4: the first moments of the residual vanish.
+  // d w / d b = mask - 9 B with masks of at most 1 and B = 1/4: the first moments of the residual
+  // vanish.
   constexpr double kSlope = 9.0 / 4;
   const auto weights = [](double b) {
     std::vector<double> parameters(kMlpParameters, 0.0);

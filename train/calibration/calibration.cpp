@@ -133,8 +133,8 @@ class Calibration {
     done_ += 1;
   }
 
-  // The optimum that lies downhill from the candidate, or -1: midway to it a good part of the difference is gone. From a plateau
-  // it is not.
+  // The optimum that lies downhill from the candidate, or -1: midway to it a good part of the
+  // difference is gone. From a plateau it is not.
   int OptimumBelow(const Candidate& candidate) {
     for (std::size_t i = 0; i < result_.optima.size(); ++i) {
       const Candidate& other = result_.optima[i];

@@ -19,7 +19,8 @@ struct Window {
   int output_begin = 0, output_size = 0;
 };
 
-// The centred window of about `share` of an axis, a whole number of the least steps that both grids have in common.
+// The centred window of about `share` of an axis, a whole number of the least steps that both grids
+// have in common.
 Window CentredWindow(int render, int output, double share) {
   const int steps = std::gcd(render, output);
   const int render_step = render / steps, output_step = output / steps;

@@ -1,4 +1,5 @@
-// A pipeline in small: pixels with a gate, a blend and a clamp whose best parameters are known in advance.
+// A pipeline in small: pixels with a gate, a blend and a clamp whose best parameters are known in
+// advance.
 #pragma once
 
 #include <cmath>
@@ -10,9 +11,10 @@
 
 namespace warplut {
 
-// Tiles of pixels. A pixel's history is right or wrong; wrong ones differ more in depth. Taking a wrong history costs, and so
-// does rejecting a right one; the blend's share a (1 - b / 2) and the slope b have their own best values. Every tile has a
-// loss of its own that no parameter takes away, as images have, and tiles differ in what suits them.
+// Tiles of pixels. A pixel's history is right or wrong; wrong ones differ more in depth. Taking a
+// wrong history costs, and so does rejecting a right one; the blend's share a (1 - b / 2) and the
+// slope b have their own best values. Every tile has a loss of its own that no parameter takes
+// away, as images have, and tiles differ in what suits them.
 class GateModel final : public ResidualFunction {
  public:
   struct Truth {

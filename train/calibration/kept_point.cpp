@@ -14,7 +14,8 @@ namespace {
 // Parts of the straight way that are looked at.
 constexpr int kWayParts = 4;
 
-// n / (n - 1) times the sum of (d - mean)^2: the variance of the sum of n independent differences. 0 for one.
+// n / (n - 1) times the sum of (d - mean)^2: the variance of the sum of n independent differences.
+// 0 for one.
 double VarianceOfSum(const std::vector<double>& differences) {
   const auto n = static_cast<double>(differences.size());
   if (n < 2) return 0;

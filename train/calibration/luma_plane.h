@@ -17,7 +17,8 @@ struct LumaPlane {
   PlaneView view() const { return {values.data(), width, height, width}; }
 };
 
-// kLumaWeights (train/metrics/luma.h) of an RGBA image as a display shows it (train/metrics/displayed_color.h), 8-bit codes divided by 255.
+// kLumaWeights (train/metrics/luma.h) of an RGBA image as a display shows it
+// (train/metrics/displayed_color.h), 8-bit codes divided by 255.
 LumaPlane LumaOf(const ImageView& image, ColorEncoding encoding, Executor& executor);
 
 }  // namespace warplut

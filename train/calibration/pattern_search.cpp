@@ -8,7 +8,8 @@
 namespace warplut {
 namespace {
 
-// In steps: how far trials are that a quadratic function is fitted to, and how far its least point may be.
+// In steps: how far trials are that a quadratic function is fitted to, and how far its least point
+// may be.
 constexpr double kQuadraticReach = 2.5;
 
 class Search {
@@ -83,13 +84,15 @@ class Search {
       flat_[i] = true;
       return;
     }
-    // Both sides are no better, so that the parabola opens upwards and its least point lies between them. At a border a side
-    // is nearer than a step; the least point is then a guess like any other.
+    // Both sides are no better, so that the parabola opens upwards and its least point lies between
+    // them. At a border a side is nearer than a step; the least point is then a guess like any
+    // other.
     const double least = step / 2 * (down.loss - up.loss) / (down.loss + up.loss - 2 * here);
     if (std::abs(least) > kLastPatternStep / 4) Try(moved(least));
   }
 
-  // The least point, no farther than two steps, of the quadratic function that fits the trials around here best.
+  // The least point, no farther than two steps, of the quadratic function that fits the trials
+  // around here best.
   void TryLeastOfQuadratic(double step) {
     const auto p = static_cast<Eigen::Index>(point_.size());
     const Eigen::Index terms = (p + 1) * (p + 2) / 2;

@@ -9,8 +9,8 @@
 
 namespace warplut {
 
-// One coordinate for each fitted parameter: 0 at its min, 1 at its max, linear in the parameter or, where kParameters says
-// so, in its logarithm.
+// One coordinate for each fitted parameter: 0 at its min, 1 at its max, linear in the parameter or,
+// where kParameters says so, in its logarithm.
 using Point = std::vector<double>;
 
 class SearchSpace {

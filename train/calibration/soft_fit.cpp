@@ -24,7 +24,8 @@ class RunResiduals final : public ceres::CostFunction {
     mutable_parameter_block_sizes()->assign(static_cast<std::size_t>(space.size()), 1);
   }
 
-  // Once the log has stopped everything is 0, which ends the fit in silence; a failure would be logged by Ceres.
+  // Once the log has stopped everything is 0, which ends the fit in silence; a failure would be
+  // logged by Ceres.
   bool Evaluate(const double* const* coordinates, double* residuals,
                 double** jacobians) const override {
     if (EvaluateRuns(coordinates, residuals, jacobians)) return true;
@@ -58,7 +59,8 @@ class RunResiduals final : public ceres::CostFunction {
     return log_.Residuals(space_.ToParameters(point), gate_width_);
   }
 
-  // By differences where there is no Jacobian yet; then with what the step from the last point showed.
+  // By differences where there is no Jacobian yet; then with what the step from the last point
+  // showed.
   bool UpdateJacobian(const Point& point, const std::vector<double>& here) const {
     const Eigen::VectorXd x = Eigen::VectorXd::Map(point.data(), space_.size());
     const Eigen::VectorXd r = Eigen::VectorXd::Map(here.data(), num_residuals());

@@ -10,8 +10,9 @@ inline constexpr int kTilesAcross = 8;
 inline constexpr int kMinTileSide = 16;
 inline constexpr int kMaxTileSide = 128;
 
-// Splits the SSIM map of a width x height image (train/metrics/ssim.h: smaller by the window) into tiles of nearly one size, row by row. The
-// window of a tile is the part of the image that its SSIMs look at: windows overlap, the tiles themselves do not.
+// Splits the SSIM map of a width x height image (train/metrics/ssim.h: smaller by the window) into
+// tiles of nearly one size, row by row. The window of a tile is the part of the image that its
+// SSIMs look at: windows overlap, the tiles themselves do not.
 class TileGrid {
  public:
   // Both at least kSsimWindow (not checked).

@@ -11,8 +11,8 @@ namespace warplut {
 
 inline constexpr int kCropSize = 128;
 
-// `count` crops of `size` x `size` pixels at random places, shared evenly among the images. Flat places
-// (sky), where every filter is right, are left out: a crop needs a mean absolute gradient of
+// `count` crops of `size` x `size` pixels at random places, shared evenly among the images. Flat
+// places (sky), where every filter is right, are left out: a crop needs a mean absolute gradient of
 // kMinCropGradient, or is the liveliest of several tries. Images are single-channel and at least
 // `size` in each axis (not checked). The same arguments give the same crops.
 std::vector<BorderedPlane> DrawCrops(const std::vector<Image>& luma, int count, std::uint64_t seed,

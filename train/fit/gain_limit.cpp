@@ -6,7 +6,6 @@
 #include "luts/certificate/certificate.h"
 #include "luts/certificate/gain.h"
 #include "luts/filters.h"
-#include "luts/certificate/gain.h"
 #include "train/fit/kaiser_family.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/spline_family.h"
@@ -29,8 +28,8 @@ class NodeMix {
     return MaxGain(mixed, prefilter_).gain;
   }
 
-  // The largest share that keeps the limit, from below. The line from the base's gain at 0 to `gain`
-  // at 1 lies above the gain: the search begins where it meets the limit.
+  // The largest share that keeps the limit, from below. The line from the base's gain at 0 to
+  // `gain` at 1 lies above the gain: the search begins where it meets the limit.
   double LargestShare(double base_gain, double gain, double limit) const {
     double low = (limit - base_gain) / (gain - base_gain), high = 1;
     for (int i = 0; i < kHalvings; ++i) {

@@ -2,9 +2,9 @@
 //
 // With the head's residual scaled by t, which is to scale the last layer's parameters by t, the
 // weights are C + t (w - C), C the head's base: Catmull-Rom weights, whose gain is 1, the spline of
-// the prefilter's side, or a wide kernel. The gain is convex in t: it is within the limit from 0 up to some
-// largest t. A trained FIR goes with t too, from the one of its side (train/fit/spline_family.h): T + t
-// (P - T).
+// the prefilter's side, or a wide kernel. The gain is convex in t: it is within the limit from 0 up
+// to some largest t. A trained FIR goes with t too, from the one of its side
+// (train/fit/spline_family.h): T + t (P - T).
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@
 namespace warplut {
 
 // The gain that a fit must keep whose training was bound to `gain_bound`: kGrowthReserve
-// (train/fit/train_options.h) was held back for this. With the default bound it is the gain whose power
-// at the longest horizon is kSafeGrowth.
+// (train/fit/train_options.h) was held back for this. With the default bound it is the gain whose
+// power at the longest horizon is kSafeGrowth.
 double LargestGain(double gain_bound);
 
 // Scales the last layer of `parameters` by the largest t in [0, 1] for which no node's gain is

@@ -21,8 +21,8 @@ class HeadBatch {
   // Of 16 taps: with a prefilter of this side from now on.
   void SetSide(double side);
 
-  // The weights of every canonical node for these parameters (MlpParameters(footprint()) values). Equal to
-  // HeadWeights to rounding: 1e-12 for weights of order 1.
+  // The weights of every canonical node for these parameters (MlpParameters(footprint()) values).
+  // Equal to HeadWeights to rounding: 1e-12 for weights of order 1.
   const CanonicalWeights<double>& Forward(const double* parameters);
 
   // After Forward with the same parameters: writes d(loss)/d(parameters), given d(loss)/d(weights).

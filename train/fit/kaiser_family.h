@@ -1,5 +1,5 @@
-// The Kaiser-windowed sincs (luts/wide_kernel.h): rivals of resamplers with 24 and 36 taps, and where
-// their training starts.
+// The Kaiser-windowed sincs (luts/wide_kernel.h): rivals of resamplers with 24 and 36 taps, and
+// where their training starts.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,9 @@ Resampler WideBase(Footprint footprint, double b);
 // The windowed sinc of 36 taps.
 Resampler KaiserResampler(double b);
 
-// The b in [kFirstKaiser, kLastKaiser] of the least loss among those whose base has a gain of at most
-// `limit` at every node, by golden section to within kKaiserWidth; none if the search meets no such b.
+// The b in [kFirstKaiser, kLastKaiser] of the least loss among those whose base has a gain of at
+// most `limit` at every node, by golden section to within kKaiserWidth; none if the search meets no
+// such b.
 inline constexpr double kFirstKaiser = 2;
 inline constexpr double kLastKaiser = 12;
 inline constexpr double kKaiserWidth = 0.05;

@@ -66,7 +66,8 @@ class Objective {
   Objective(std::vector<BorderedPlane> crops, std::vector<Protocol> protocols,
             std::vector<Kind> kinds, double power);
 
-  // A trajectory for `count` consecutive protocols from `first` on; `steps` as MakeTrajectory has it.
+  // A trajectory for `count` consecutive protocols from `first` on; `steps` as MakeTrajectory has
+  // it.
   std::vector<Displacement> DrawTrajectory(std::size_t first, std::size_t count, std::uint64_t seed,
                                            int steps = kNodes) const;
 

@@ -111,7 +111,8 @@ HWY_INLINE void TransposeBlock(const float* const from[4], float* const to[4]) {
 #endif
 }
 
-// The recursions along rows, from one plane to another or the same. `side` holds kRowBlock values for each column and four more.
+// The recursions along rows, from one plane to another or the same. `side` holds kRowBlock values
+// for each column and four more.
 void RecurseRows(const PrefilterRecursion& r, const BorderedPlane& in, BorderedPlane& out,
                  float* side) {
   const int width = in.width(), height = in.height();

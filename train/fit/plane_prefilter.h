@@ -19,7 +19,8 @@
 
 namespace warplut {
 
-// The recursions of luts/prefilter.h along lines of one length, with the division by s in the second:
+// The recursions of luts/prefilter.h along lines of one length, with the division by s in the
+// second:
 //   c+(i) = x(i) + z c+(i - 1)      c(i) = z c(i + 1) + (1 - z)^2 c+(i)
 struct PrefilterRecursion {
   float pole = 0;            // z
@@ -36,9 +37,10 @@ class PlanePrefilter {
   // `prefilter` has a prefilter; a side in (0, 1/4) is all that is asked of it.
   void Set(const RealPrefilter& prefilter);
 
-  // coefficients = P samples, border mirrored. The planes are of this size and different. Recursions
-  // start exactly as the mirrored image has it and run over the whole plane. Accuracy: 2e-6 times
-  // the largest |coefficient|. The same bits on every machine with the same instruction set.
+  // coefficients = P samples, border mirrored. The planes are of this size and different.
+  // Recursions start exactly as the mirrored image has it and run over the whole plane. Accuracy:
+  // 2e-6 times the largest |coefficient|. The same bits on every machine with the same instruction
+  // set.
   void Apply(const BorderedPlane& samples, BorderedPlane& coefficients);
 
   // After coefficients = Apply(samples): replaces g by P g, border cleared, and adds

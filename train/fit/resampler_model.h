@@ -1,7 +1,8 @@
 // Parameters -> resampler, with the gradient: MLP, head and prefilter.
 //
 // Parameters are those of the MLP (MlpParameters of the footprint), then the numbers of the
-// prefilter (train/fit/prefilter_map.h). The head's weights depend on the prefilter through its side.
+// prefilter (train/fit/prefilter_map.h). The head's weights depend on the prefilter through its
+// side.
 #pragma once
 
 #include <vector>

@@ -13,8 +13,8 @@ struct Rival {
 };
 
 // The closed-form filters: the Keys kernels of train/fit/keys_search.h; with `largest_side` > 0
-// kRivalSplines cubic splines with their exact prefilters, of sides evenly spaced up to that one; for
-// a footprint of 24 or 36 taps kRivalKaisers windowed sincs of 36 taps, of b evenly spaced.
+// kRivalSplines cubic splines with their exact prefilters, of sides evenly spaced up to that one;
+// for a footprint of 24 or 36 taps kRivalKaisers windowed sincs of 36 taps, of b evenly spaced.
 struct RivalFamily {
   double largest_side = 0;
   Footprint footprint = Footprint::k16;

@@ -24,14 +24,15 @@ struct RolloutStep {
   CanonicalNode node;
   int cell_x = 0;
   int cell_y = 0;
-  // In intervals between nodes, [0, 1): the weights are the bilinear mean of those of the node and of
-  // the nodes to its right, below it and both, as the runtime looks them up.
+  // In intervals between nodes, [0, 1): the weights are the bilinear mean of those of the node and
+  // of the nodes to its right, below it and both, as the runtime looks them up.
   double beyond_x = 0;
   double beyond_y = 0;
   std::array<CanonicalNode, 3> others = {};
 };
 
-// The nodes of a step and their shares of its weights, (1 - f_x) (1 - f_y) and so on; some may be 0.
+// The nodes of a step and their shares of its weights, (1 - f_x) (1 - f_y) and so on; some may be
+// 0.
 struct NodeShare {
   CanonicalNode node;
   double share = 0;

@@ -18,7 +18,8 @@ constexpr int kHalvings = 18;
 
 double Frequency(int i) { return std::numbers::pi * i / kFrequencies; }
 
-// LargestNodeGain of a spline: a product of two axes, it is largest where both offsets are the same.
+// LargestNodeGain of a spline: a product of two axes, it is largest where both offsets are the
+// same.
 double SplineGain(const RealPrefilter& prefilter) {
   double largest = 0;
   for (int i = 0; i <= kHalfNode; ++i) {

@@ -14,8 +14,8 @@ inline constexpr double kMiddleSplineK = 1.0 / 84;
 // The exact prefilter of a side in (0, 1/4).
 RealPrefilter RecursivePrefilter(double side);
 
-// The 2 reach + 1 taps, of sum 1, whose product with the whole offset of `side` is nearest to 1 in the
-// mean square over all frequencies.
+// The 2 reach + 1 taps, of sum 1, whose product with the whole offset of `side` is nearest to 1 in
+// the mean square over all frequencies.
 RealPrefilter FirPrefilter(double side, int reach);
 
 // The exact prefilter, or that FIR where `reach` is above 0.
@@ -27,8 +27,8 @@ Resampler SplineResampler(const RealPrefilter& prefilter);
 // The largest gain (luts/certificate/gain.h) of the canonical nodes.
 double LargestNodeGain(const Resampler& resampler);
 
-// The largest side up to kLargestSide whose spline, with SplinePrefilter(side, reach), has a gain of
-// at most `limit` > 1 and a valid prefilter that is the identity to within half of
+// The largest side up to kLargestSide whose spline, with SplinePrefilter(side, reach), has a gain
+// of at most `limit` > 1 and a valid prefilter that is the identity to within half of
 // kFirIdentityTolerance; to within 1e-6.
 double LargestSplineSide(double limit, int reach);
 

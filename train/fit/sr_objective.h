@@ -1,9 +1,9 @@
 // Objective `sr`: the loss of a table that warps the history of super resolution.
 //
 // A crop is the reference, standing for a scene that shows the crop's detail and no more
-// (train/fit/band_limited.h), and moves as a whole along a trajectory. Frame 0 is its samples at jitter
-// phase f of the upscale factor's cycle, interpolated: x_0 = I S_0. Each step t warps the history
-// by the trajectory's displacement and refreshes it with the scene's samples at phase f + t
+// (train/fit/band_limited.h), and moves as a whole along a trajectory. Frame 0 is its samples at
+// jitter phase f of the upscale factor's cycle, interpolated: x_0 = I S_0. Each step t warps the
+// history by the trajectory's displacement and refreshes it with the scene's samples at phase f + t
 // (train/fit/sample_grid.h):
 //
 //   h = W(d_t) P x_(t-1)    x_t = h + share (I (S_t - B h))
@@ -22,9 +22,10 @@
 // (bilinear in the second term). Without it the history has nothing to average, and filters that
 // are too sharp for rendered frames win.
 //
-// The form of train/fit/objective.h with the kinds random and pan (of kNodes steps, after which every
-// pan is back at the start), whose shares are 1 - q and q, and p = 1; the baseline of each protocol
-// is the rival (train/fit/rivals.h) that is best for it, on the same crops, trajectories and samples.
+// The form of train/fit/objective.h with the kinds random and pan (of kNodes steps, after which
+// every pan is back at the start), whose shares are 1 - q and q, and p = 1; the baseline of each
+// protocol is the rival (train/fit/rivals.h) that is best for it, on the same crops, trajectories
+// and samples.
 #pragma once
 
 #include <cstdint>

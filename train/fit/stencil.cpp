@@ -29,7 +29,8 @@ HWY_INLINE const float* TexelOf(int i, const float* in, std::ptrdiff_t stride) {
   return in + TapY(k) * stride + TapX(k);
 }
 
-// Sum over the taps i of weights[i] times their texels, one vector of outputs; `in` is at tap (0, 0).
+// Sum over the taps i of weights[i] times their texels, one vector of outputs; `in` is at tap
+// (0, 0).
 template <Footprint kFootprint>
 HWY_INLINE V Gather(const V* weights, const float* in, std::ptrdiff_t stride) {
   constexpr int kCount = TapCount(kFootprint);
@@ -99,7 +100,8 @@ void FootprintWeightGradient(const Stencil& s, const BorderedPlane& in, const Bo
 }
 
 // in_gradient(q) = sum of weight k * out_gradient(q - offset of tap k), for q inside and in the
-// border that a stencil reads. The taps (x, y) and (1 - x, 1 - y) are at places i and count - 1 - i.
+// border that a stencil reads. The taps (x, y) and (1 - x, 1 - y) are at places i and
+// count - 1 - i.
 template <Footprint kFootprint>
 void FootprintInputGradient(const Stencil& s, const BorderedPlane& out_gradient,
                             BorderedPlane& in_gradient) {

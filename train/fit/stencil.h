@@ -39,8 +39,8 @@ class BorderedPlane {
   std::vector<float> data_;
 };
 
-// One warp: every pixel p becomes the sum, over the taps of the footprint, of weight k times the texel
-// at p + (cell_x + TapX(k), cell_y + TapY(k)).
+// One warp: every pixel p becomes the sum, over the taps of the footprint, of weight k times the
+// texel at p + (cell_x + TapX(k), cell_y + TapY(k)).
 struct Stencil {
   int cell_x = 0;  // whole part of the sampled position, -1 or 0
   int cell_y = 0;

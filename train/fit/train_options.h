@@ -35,7 +35,8 @@ enum class TrainPrefilter : std::uint8_t { kNone, kSpline, kIir, kFir };
 // The longest half-pixel protocol is up to twice as long, and a fit must be able to record it.
 inline constexpr int kMaxHorizon = kMaxRecordedWarps / 2;
 inline constexpr int kDefaultStages = 3;
-// Per stage. The start with a prefilter or more than 16 taps is near the end, and a warp costs more.
+// Per stage. The start with a prefilter or more than 16 taps is near the end, and a warp costs
+// more.
 inline constexpr int kDefaultLbfgsIterations = 20;
 inline constexpr int kDefaultPlainLbfgsIterations = 40;  // 16 taps without prefilter
 inline constexpr int kDefaultAdamIterations = 100;

@@ -1,14 +1,14 @@
 // Objective `warp`: the loss of repeated warps relative to that of the best closed-form filter
 // (train/fit/rivals.h): a Keys kernel, a spline with a prefilter, or a windowed sinc of 36 taps.
 //
-// The form of train/fit/objective.h with the kinds half, random and pan, whose shares are (1 - q) h,
-// (1 - q) (1 - h) and q. Exponents p are large, so that no horizon is bought with another.
-// Baselines are, on the same crops and trajectories: of splines and windowed sincs, the
-// best for that very protocol; of Keys kernels, the best for random offsets, and for the others, and for the longest random
-// horizon, the kernel that is best for the longest half-pixel horizon, since one half-pixel node
-// must serve all of them. With `like` the filters are those that it found, and that of the longest
-// half-pixel horizon is measured on the crops at hand: how much better one is than another depends
-// on the content.
+// The form of train/fit/objective.h with the kinds half, random and pan, whose shares are (1 - q)
+// h, (1 - q) (1 - h) and q. Exponents p are large, so that no horizon is bought with another.
+// Baselines are, on the same crops and trajectories: of splines and windowed sincs, the best for
+// that very protocol; of Keys kernels, the best for random offsets, and for the others, and for the
+// longest random horizon, the kernel that is best for the longest half-pixel horizon, since one
+// half-pixel node must serve all of them. With `like` the filters are those that it found, and that
+// of the longest half-pixel horizon is measured on the crops at hand: how much better one is than
+// another depends on the content.
 // Source of the loss: Mob-FGSR supplement, section 5; protocols, baselines and the power mean are
 // ours.
 #pragma once
@@ -38,8 +38,8 @@ std::vector<Protocol> MakeProtocols(std::span<const int> horizons, bool with_pan
 // h: as much as all random offsets, though a single node serves all half-pixel warps.
 inline constexpr double kHalfShare = 0.5;
 
-// Random offsets per pixel and axis. The weights of 24 and 36 taps lose least where it is between nodes
-// that they are looked up, so these are trained at offsets there too.
+// Random offsets per pixel and axis. The weights of 24 and 36 taps lose least where it is between
+// nodes that they are looked up, so these are trained at offsets there too.
 constexpr int RandomSteps(Footprint footprint) {
   return footprint == Footprint::k16 ? kNodes : 4 * kNodes;
 }

@@ -1,5 +1,6 @@
-// Streams over the map row by row. With v = y - 1/2 and the error e = x - y, row r needs the vertical
-// sums of e, e^2 and e v over image rows r to r + 10, then the horizontal ones. In the error
+// Streams over the map row by row. With v = y - 1/2 and the error e = x - y, row r needs the
+// vertical sums of e, e^2 and e v over image rows r to r + 10, then the horizontal ones. In the
+// error
 //   A1 = 2 mx my + C1              B1 = A1 + me^2           me, mx, my: means of e, x, y
 //   A2 = 2 (var y + cov(e, y)) + C2    B2 = A2 + var e
 //   1 - S = (me^2 B2 + A1 var e) / (B1 B2)

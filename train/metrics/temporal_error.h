@@ -1,4 +1,5 @@
-// Flicker: how much the error of a shown sequence changes from frame to frame, followed along the motion.
+// Flicker: how much the error of a shown sequence changes from frame to frame, followed along the
+// motion.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@ struct FrameGeometry {
   MotionView motion;  // from the frame before, pixels
 };
 
-// The sum over pixels and channels of (e_f(p) - e_(f-1)(p - m_f(p)))^2 and how many values are in it.
+// The sum over pixels and channels of (e_f(p) - e_(f-1)(p - m_f(p)))^2 and how many values are in
+// it.
 struct TemporalErrorSum {
   double squares = 0;
   std::int64_t values = 0;
@@ -24,11 +26,13 @@ struct TemporalErrorSum {
   double Rms() const;
 };
 
-// With e_f = shown frame - reference (`error`, of any channels) and e_(f-1) (`previous_error`, same size) read bilinearly at
-// p - m, m and depth those of the reference. A p counts if it lies at least `border` from each edge, p - m lies inside the
-// image, and the texel nearest to p - m had a depth before that differs from that of p now by at most kSameSurface
-// (train/replay/motion_composition.h), relative to the lesser: what was just revealed has no error to compare with. A method whose error moves
-// with its surfaces, a constant blur for example, has none; one that flickers or lags behind has.
+// With e_f = shown frame - reference (`error`, of any channels) and e_(f-1)
+// (`previous_error`, same size) read bilinearly at p - m, m and depth those of the reference. A p
+// counts if it lies at least `border` from each edge, p - m lies inside the image, and the texel
+// nearest to p - m had a depth before that differs from that of p now by at most kSameSurface
+// (train/replay/motion_composition.h), relative to the lesser: what was just revealed has no error
+// to compare with. A method whose error moves with its surfaces, a constant blur for example, has
+// none; one that flickers or lags behind has.
 //
 // Rows on all threads, added in order: the same bits for any number.
 TemporalErrorSum TemporalError(const Image& error, const FrameGeometry& geometry,

@@ -187,8 +187,8 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
           ? ColorFormat(sequence, first, count, Streams::kReference)
           : PixelFormat::kRgba8;
 
-  // Frames before the first are there for their motion. Colour goes to its buffer at once; motion and depth, which other
-  // frames need to compose theirs, when all frames are loaded.
+  // Frames before the first are there for their motion. Colour goes to its buffer at once; motion
+  // and depth, which other frames need to compose theirs, when all frames are loaded.
   const Streams composed = every > 1 ? ComposedStreams(sequence, which) : Streams::kNone;
   const int begin = std::max(0, first - every + 1);
   clip.frames.resize(static_cast<std::size_t>(count));

@@ -55,8 +55,8 @@ enum class MotionFiltering { kOff, kQuantised, kOn };
 Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1,
               MotionFiltering filtering = MotionFiltering::kOff);
 
-// Whether the motion of some frame is quantised (train/replay/motion_step.h): that of the render grid, or
-// of the output grid where that is not loaded.
+// Whether the motion of some frame is quantised (train/replay/motion_step.h): that of the render
+// grid, or of the output grid where that is not loaded.
 bool HasQuantisedMotion(const Clip& clip);
 
 }  // namespace warplut

@@ -6,8 +6,8 @@
 
 namespace warplut {
 
-// An image of 3 channels in an RGBA format, alpha 1, or of 1 channel in kR32F. 8-bit codes and halves are rounded to nearest;
-// an image that came from an 8-bit file is the same codes.
+// An image of 3 channels in an RGBA format, alpha 1, or of 1 channel in kR32F. 8-bit codes and
+// halves are rounded to nearest; an image that came from an 8-bit file is the same codes.
 ImageBuffer ToBuffer(const Image& image, PixelFormat format);
 
 // Motion of 2 channels.

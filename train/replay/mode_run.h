@@ -80,9 +80,10 @@ struct ShownFrame {
 };
 using ShownFrameSink = std::function<void(const ShownFrame&)>;
 
-// Shows frames in the order of time. Generation alone (without super resolution) takes the
-// frames that GeneratesFromReferences says, by the streams of the clip. A rendered frame follows every generated one, except the last extrapolated ones. Extrapolation begins after the
-// second rendered frame. The options must be valid. An exception of the sink ends the run.
+// Shows frames in the order of time. Generation alone (without super resolution) takes the frames
+// that GeneratesFromReferences says, by the streams of the clip. A rendered frame follows every
+// generated one, except the last extrapolated ones. Extrapolation begins after the second rendered
+// frame. The options must be valid. An exception of the sink ends the run.
 void RunMode(const Clip& clip, const ModeRunOptions& options, Executor& executor,
              const ShownFrameSink& sink);
 

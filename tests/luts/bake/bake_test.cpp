@@ -1,5 +1,4 @@
 #include "luts/bake/bake.h"
-#include "luts/bake/baked_header.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "luts/bake/baked_header.h"
 #include "luts/quantize/quantize.h"
 #include "tests/luts/test_fits.h"
 

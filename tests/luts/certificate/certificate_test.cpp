@@ -102,8 +102,8 @@ TEST(Certificate, HalfOffsetIsItsOwnNode) {
   EXPECT_LE(s.half.gain, s.any.gain);
 }
 
-// Without storage errors these are about .074 and .003 for Catmull-Rom; what storage adds is at most its
-// own error.
+// Without storage errors these are about .074 and .003 for Catmull-Rom; what storage adds is at
+// most its own error.
 TEST(LookupError, OfCatmullRom) {
   const Fit fit = MakeFit(0);
   const RealTable real = SampleFit(fit, kNodes);

@@ -28,8 +28,8 @@ TEST(LeastDepthAround, TakesOddDepthsForTheFarthest) {
   EXPECT_EQ(std::bit_cast<std::uint32_t>(LeastDepthAround(depth.history(), 1, 1)), 0U);
 }
 
-// A near square passes over a grey background that stands still. The pixels beside it hold some of its colour, as in a frame with
-// antialiasing; the other frame shows the background there.
+// A near square passes over a grey background that stands still. The pixels beside it hold some of
+// its colour, as in a frame with antialiasing; the other frame shows the background there.
 TEST(Blend, LeavesOutTheRimOfTheForeground) {
   constexpr int kWidth = 64, kHeight = 24, kStart0 = 8, kStart1 = 40, kSide = 8;
   const auto frame_at = [&](int start) {

@@ -34,7 +34,8 @@ inline float Code(PixelFormat format, float value) {
   return format == PixelFormat::kRgba8 ? 255 * value : value;
 }
 
-// Random colour, rectangles at several depths that move each on its own, a few depths and motion vectors that are no numbers.
+// Random colour, rectangles at several depths that move each on its own, a few depths and motion
+// vectors that are no numbers.
 inline TestFrame RandomFrame(int width, int height, PixelFormat format, unsigned seed,
                              bool wild = true) {
   TestFrame frame(width, height, format);

@@ -40,7 +40,8 @@ std::vector<FrameGenerationOptions> Variants(const TestFrame& frame) {
   return variants;
 }
 
-// Warps differ by their own bounds, which move a pixel's blend by as much, but with a hard brightness gate.
+// Warps differ by their own bounds, which move a pixel's blend by as much, but with a hard
+// brightness gate.
 TEST(Reference, FastPassesAgree) {
   ForEachTarget([] {
     unsigned seed = 1;

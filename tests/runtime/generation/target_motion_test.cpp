@@ -5,8 +5,8 @@
 namespace warplut::generation {
 namespace {
 
-// A frame whose arrivals a test sets one by one. Every pixel of frame 1 has the motion (x / 4, y / 8) and the displacement
-// (-x / 8, y / 16), so that a motion tells its source.
+// A frame whose arrivals a test sets one by one. Every pixel of frame 1 has the motion
+// (x / 4, y / 8) and the displacement (-x / 8, y / 16), so that a motion tells its source.
 class Arrived {
  public:
   explicit Arrived(int width, int height)

@@ -1,4 +1,5 @@
-// Frames of a scene in motion: a textured square that passes before a textured wall, under a camera that pans.
+// Frames of a scene in motion: a textured square that passes before a textured wall, under a camera
+// that pans.
 #pragma once
 
 #include <cmath>

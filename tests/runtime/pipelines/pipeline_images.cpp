@@ -1,5 +1,6 @@
-// pipeline_images NAME: runs a pipeline of kConfigurations over a moving scene, with what the build has of it, and prints for each
-// part a line "PART HASH BYTES" of its images and its buffers, or "PART refused: SENTENCE".
+// pipeline_images NAME: runs a pipeline of kConfigurations over a moving scene, with what the build
+// has of it, and prints for each part a line "PART HASH BYTES" of its images and its buffers, or
+// "PART refused: SENTENCE".
 #include <cstdio>
 #include <cstring>
 #include <string>

@@ -74,7 +74,8 @@ TEST(AliasingMap, RampIsInUnitsOfTheContrast) {
   EXPECT_TRUE(RowOf(map, 3).empty());
 }
 
-// Tiles are blurred and interpolated: no step from one sample to the next, and nothing four tiles away.
+// Tiles are blurred and interpolated: no step from one sample to the next, and nothing four tiles
+// away.
 TEST(AliasingMap, ChangesSmoothlyFromTileToTile) {
   AliasingMap map(8 * kAliasingTile, 8 * kAliasingTile, kArea);
   for (int row = 0; row < 8; ++row) std::fill_n(map.Variances(row), 8, 0.0f);
@@ -97,7 +98,8 @@ TEST(AliasingMap, ChangesSmoothlyFromTileToTile) {
   EXPECT_FALSE(map.FillRow(4 * kAliasingTile, row));
 }
 
-// Mean squared error of the last of some still frames, whose samples are `color` and noise of `deviation`.
+// Mean squared error of the last of some still frames, whose samples are `color` and noise of
+// `deviation`.
 double ErrorUnderNoise(HistoryForm form, float deviation) {
   constexpr float kColor = 0.5f;
   SuperResolutionOptions options = TestOptions(48, 40, 96, 80);

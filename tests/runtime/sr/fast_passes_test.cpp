@@ -11,7 +11,8 @@ namespace {
 struct Grid {
   int render_width, render_height, output_width, output_height;
 };
-// Scales 1, 1.3, 1.5, 1.7, 2, 3, 4 and different ones in x and y; sizes of one pixel, odd, and larger than a tile.
+// Scales 1, 1.3, 1.5, 1.7, 2, 3, 4 and different ones in x and y; sizes of one pixel, odd, and
+// larger than a tile.
 constexpr Grid kGrids[] = {{1, 1, 1, 1},      {1, 1, 4, 3},      {3, 3, 3, 3},     {3, 3, 6, 6},
                            {17, 5, 22, 7},    {20, 30, 30, 45},  {41, 21, 70, 36}, {45, 27, 90, 54},
                            {35, 19, 105, 57}, {33, 17, 132, 68}, {40, 24, 60, 96}};
@@ -43,7 +44,8 @@ Difference Compare(const ImageBuffer& a, const ImageBuffer& b, float tolerance) 
   return difference;
 }
 
-// Runs both for some frames of random surfaces. A gate may fall on the other side by rounding, for few pixels.
+// Runs both for some frames of random surfaces. A gate may fall on the other side by rounding, for
+// few pixels.
 void ExpectEqual(SuperResolutionOptions options, float tolerance,
                  PixelFormat format = PixelFormat::kRgba32F) {
   std::string why;

@@ -71,7 +71,8 @@ TEST(Planes, LinearHdrIsToneMappedAndComesBack) {
   }
 }
 
-// A near surface left of column 4, moving by (1, 2); a far one that rises to the right and moves with it.
+// A near surface left of column 4, moving by (1, 2); a far one that rises to the right and moves
+// with it.
 TestFrame TwoSurfaces() {
   TestFrame frame(8, 8);
   for (int y = 0; y < 8; ++y) {

@@ -55,7 +55,8 @@ class TestFrame {
     }
   }
 
-  // Random colours and jitter; two surfaces with a slope each that move apart. Broken values: NaN, infinities, negative depth.
+  // Random colours and jitter; two surfaces with a slope each that move apart. Broken values: NaN,
+  // infinities, negative depth.
   void Randomise(unsigned seed, bool with_broken_values = false) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> value(0.0f, 1.0f);

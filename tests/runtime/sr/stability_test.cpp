@@ -1,4 +1,5 @@
-// What must not change: constant images, settled histories, bits for any number of threads, and the heap.
+// What must not change: constant images, settled histories, bits for any number of threads, and the
+// heap.
 #include <vector>
 
 #include "tests/runtime/counted_allocations.h"

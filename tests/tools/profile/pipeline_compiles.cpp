@@ -1,4 +1,5 @@
-// The header that a profile writes is what the runtime's headers take; never linked, as the other tests have a runtime of their own.
+// The header that a profile writes is what the runtime's headers take; never linked, as the other
+// tests have a runtime of their own.
 #define WARPLUT_PIPELINE_HEADER "tests/tools/profile/pipeline.h"
 #include "runtime/frame_generation.h"
 #include "runtime/super_resolution.h"

@@ -28,7 +28,8 @@ Image Uniform(int width, int height, std::vector<float> value) {
   return image;
 }
 
-// Noise that moves to the right by `speed` pixels per frame, at constant depth; motion over `every` frames.
+// Noise that moves to the right by `speed` pixels per frame, at constant depth; motion over `every`
+// frames.
 Clip PanClip(int speed, int every) {
   constexpr int kFrames = 7, kWidth = 96, kHeight = 40;
   const Image world = NoiseImage(kWidth + kFrames * speed, kHeight, 3);
@@ -164,7 +165,8 @@ TEST(BudgetImages, LocalErrorSeesShadingAndNotDetail) {
   EXPECT_EQ(LocalLumaError(shaded, reference, none).at(16, 16), 0);
 }
 
-// 15 pixels are a share of 1 / 128 of the stored display's width, which halves hold, and whole pixels need no resampling.
+// 15 pixels are a share of 1 / 128 of the stored display's width, which halves hold, and whole
+// pixels need no resampling.
 TEST(GenerationBudget, WholePanLosesOnlyWhatIsDisoccluded) {
   const Clip dense = PanClip(15, 1), sparse = PanClip(15, 2);
   SerialExecutor executor;

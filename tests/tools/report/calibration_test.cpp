@@ -46,7 +46,8 @@ TEST(CalibrationStudy, SearchesStartAlikeAndGain) {
   EXPECT_EQ(study.grids[1].trace.runs(), 2 + 27);
 }
 
-// The model has one optimum, which calibration is made to find; coarse grids and random points come near it at best.
+// The model has one optimum, which calibration is made to find; coarse grids and random points come
+// near it at best.
 TEST(CalibrationStudy, CalibrationIsBestOnThePlantedModel) {
   GateModel model({}, 16, 100);
   const CalibrationStudy study = StudyCalibration(model, Options());

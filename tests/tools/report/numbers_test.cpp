@@ -39,7 +39,8 @@ TEST(PowerLaw, FindsTheExponentThatWasPutIn) {
   EXPECT_NEAR(law.error, 0, 1e-7);
 }
 
-// In logarithms to base e: x = 0, 1, 2, y = 0, 1, 0; slope 0, residuals -1/3, 2/3, -1/3, so the error is sqrt((6/9) / 1 / 2).
+// In logarithms to base e: x = 0, 1, 2, y = 0, 1, 0; slope 0, residuals -1/3, 2/3, -1/3, so the
+// error is sqrt((6/9) / 1 / 2).
 TEST(PowerLaw, StandardErrorByHand) {
   const std::vector<double> x = {1, std::exp(1), std::exp(2)}, y = {1, std::exp(1), 1};
   const PowerLaw law = FitPowerLaw(x, y);

@@ -69,7 +69,8 @@ TEST(TrainerProblem, HeadKeepsCatmullRomAndFirstMoments) {
   }
 }
 
-// Crops that a half-pixel kernel can do well or badly on: the optimum is no worse than any Keys kernel.
+// Crops that a half-pixel kernel can do well or badly on: the optimum is no worse than any Keys
+// kernel.
 TEST(TrainerProblem, HalfPixelOptimumBeatsKeys) {
   std::vector<BorderedPlane> crops;
   crops.push_back(ToPlane(NoiseImage(40, 40, 5)));

@@ -106,7 +106,8 @@ TEST(KeptPoint, IsTheOptimumOfPlantedParameters) {
   EXPECT_NEAR(LogA(result.kept), 1.0, 0.02);
 }
 
-// Tiles dispute where a is best, far away, and agree on b; the prior alone would take back a and not b.
+// Tiles dispute where a is best, far away, and agree on b; the prior alone would take back a and
+// not b.
 TEST(KeptPoint, IsTheBaseIfThatIsWithinAStandardErrorOfTheOptimum) {
   std::vector<Bowls::Bowl> bowls = Alike(0, 1, 8);
   for (std::size_t i = 0; i < bowls.size(); ++i) bowls[i].log_a = i % 2 == 0 ? -5.0 : 9.0;

@@ -43,7 +43,8 @@ inline Clip SceneClip(const SceneClipOptions& options = {}) {
   return clip;
 }
 
-// Replaces the references by what super resolution shows with these parameters. For methods without generation.
+// Replaces the references by what super resolution shows with these parameters. For methods without
+// generation.
 inline Clip WithShownReferences(const Clip& clip, ModeRunOptions options,
                                 const Parameters& parameters, Executor& executor) {
   Clip shown = SceneClip({.scene = clip.name,

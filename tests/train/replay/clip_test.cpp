@@ -49,7 +49,8 @@ TEST(Clip, HasTheStreamsInTheFormsOfTheRuntime) {
   EXPECT_EQ(frame.Displayed().color.data, frame.reference.view().data);
 }
 
-// A zoom: less of the rounding of its motion to whole pixels is left in what is filtered before it is composed.
+// A zoom: less of the rounding of its motion to whole pixels is left in what is filtered before it
+// is composed.
 TEST(Clip, FiltersQuantisedMotionBeforeItIsComposed) {
   constexpr int kWidth = 320, kHeight = 240, kFrames = 3;
   constexpr double kZoom = 0.05;

@@ -64,7 +64,8 @@ TEST(MotionComposition, AZoomIsAZoomTwice) {
 }
 
 TEST(MotionComposition, ReadsOnlyTheSurfaceThatItFollows) {
-  // A near object of columns 8.. moves by 3, what is behind it stands still; the frame before has it at columns 5...
+  // A near object of columns 8.. moves by 3, what is behind it stands still; the frame before has
+  // it at columns 5...
   Image now = Motion(16, 3, 0, 0), before = Motion(16, 3, 0, 0);
   Image depth_now = Depth(16, 3, 0.9f), depth_before = Depth(16, 3, 0.9f);
   for (int y = 0; y < 3; ++y) {

@@ -1,5 +1,5 @@
-// A small sequence on disk whose motion is known: a texture, too fine for the render grid, that pans at a constant speed, at
-// constant depth.
+// A small sequence on disk whose motion is known: a texture, too fine for the render grid, that
+// pans at a constant speed, at constant depth.
 #pragma once
 
 #include <cmath>
