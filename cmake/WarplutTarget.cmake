@@ -50,7 +50,8 @@ endif()
 # around says.
 add_library(warplut_strict_math INTERFACE)
 if(NOT MSVC)
-  target_compile_options(warplut_strict_math INTERFACE -fno-fast-math -fno-finite-math-only -fno-unsafe-math-optimizations)
+  target_compile_options(warplut_strict_math INTERFACE
+                         -fno-fast-math -fno-finite-math-only -fno-unsafe-math-optimizations)
 endif()
 
 # warplut_library(NAME SOURCES...): a static library with the shared options.

@@ -4,6 +4,5 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
     defined(_M_FP_FAST)
-#error \
-    "The sources of warplut's runtime cannot be compiled with -ffast-math; add -fno-fast-math for them. Programs that include its headers can."
+#error "warplut's runtime cannot be compiled with -ffast-math; add -fno-fast-math for its sources"
 #endif

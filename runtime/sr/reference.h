@@ -65,11 +65,14 @@ constexpr float SettledDistance(PixelFormat history, ColorEncoding encoding) {
   return (history == PixelFormat::kRgba8 ? 1.0f : CodeContrast(encoding)) / 255;
 }
 
-// `share` of `distance`, lengthened to LeastStep where the distance is more than `settled`.
-inline float HistoryStep(float share, float distance, float settled, float least) {
-  const float step = share * distance;
-  const bool is_lengthened = share > 0 && std::abs(distance) > settled && std::abs(step) < least;
-  return is_lengthened ? std::copysign(least, distance) : step;
+// `share` of `distance`, lengthened to `least` where the distance is more than `settled` and
+// rounding would undo even the step of `fullest`, the share that the pixel has in the frame whose
+// sample lies nearest. A pixel that this frame's samples are far from waits for that frame: it would
+// otherwise never rest under a jitter cycle.
+inline float HistoryStep(float share, float fullest, float distance, float settled, float least) {
+  const bool is_lengthened =
+      share > 0 && std::abs(distance) > settled && std::abs(fullest * distance) < least;
+  return is_lengthened ? std::copysign(least, distance) : share * distance;
 }
 
 // Whether the samples (i, j) to (i + 1, j + 1) belong to different surfaces, or one has no motion.

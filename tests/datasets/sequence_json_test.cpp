@@ -23,18 +23,24 @@ const char* const kManifest = R"({
     "color": {"path": "lr/color/%04d.exr", "grid": "render", "channels": ["R", "G", "B"]},
     "depth": {"path": "lr/depth/%04d.exr", "grid": "render", "channels": ["Z"],
               "kind": "reversed", "near": 0.1, "far": null},
-    "motion": {"path_x": "mx/%d.png", "path_y": "my/%d.png", "grid": "render", "encoding": "rgba8-base255",
-               "scale": [2, -2], "bias": -1, "units": "ndc", "direction": "current-to-previous", "y": "up"},
+    "motion": {"path_x": "mx/%d.png", "path_y": "my/%d.png", "grid": "render",
+               "encoding": "rgba8-base255",
+               "scale": [2, -2], "bias": -1, "units": "ndc",
+               "direction": "current-to-previous", "y": "up"},
     "reference": {"path": "hr/color/%04d.png", "grid": "output"},
-    "reference_depth": {"path": "hr/depth/%04d.exr", "grid": "output", "kind": "linear", "near": 0, "far": 1},
+    "reference_depth": {"path": "hr/depth/%04d.exr", "grid": "output",
+                        "kind": "linear", "near": 0, "far": 1},
     "reference_motion": {"path": "hr/motion/%04d.exr", "grid": "output", "channels": ["X", "Y"],
                          "units": "pixels", "direction": "previous-to-current", "y": "down"}
   },
   "jitter": {"units": "render-pixels", "y": "up", "offsets": [[0.25, 0.125], [-0.5, 0]]},
   "camera": [
-    {"view": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], "projection": [1,0,0,0, 0,1,0,0, 0,0,-1,-0.2, 0,0,-1,0]},
-    {"view": [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1], "projection": [1,0,0,0, 0,1,0,0, 0,0,-1,-0.2, 0,0,-1,0]},
-    {"view": [1,0,0,2, 0,1,0,0, 0,0,1,0, 0,0,0,1], "projection": [1,0,0,0, 0,1,0,0, 0,0,-1,-0.2, 0,0,-1,0]}
+    {"view": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1],
+     "projection": [1,0,0,0, 0,1,0,0, 0,0,-1,-0.2, 0,0,-1,0]},
+    {"view": [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1],
+     "projection": [1,0,0,0, 0,1,0,0, 0,0,-1,-0.2, 0,0,-1,0]},
+    {"view": [1,0,0,2, 0,1,0,0, 0,0,1,0, 0,0,0,1],
+     "projection": [1,0,0,0, 0,1,0,0, 0,0,-1,-0.2, 0,0,-1,0]}
   ],
   "cuts": [11]
 })";

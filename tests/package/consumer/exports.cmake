@@ -6,7 +6,8 @@ file(GLOB headers ${ROOT}/runtime/*.h ${ROOT}/luts/*.h)
 set(declared)
 foreach(header ${headers})
   file(READ ${header} text)
-  string(REGEX MATCHALL "(class|struct|enum class) [A-Z][A-Za-z0-9]*|[A-Z][A-Za-z0-9]*\\(|k[A-Z][A-Za-z0-9]*" found "${text}")
+  string(REGEX MATCHALL
+         "(class|struct|enum class) [A-Z][A-Za-z0-9]*|[A-Z][A-Za-z0-9]*\\(|k[A-Z][A-Za-z0-9]*" found "${text}")
   list(APPEND declared ${found})
 endforeach()
 list(TRANSFORM declared REPLACE "^(enum )?(class|struct) " "")
@@ -25,7 +26,8 @@ foreach(line ${lines})
   endif()
 endforeach()
 foreach(name CameraFit FilterWeights FindMethod FloatEnvironment FrameGeneration FrameGenerationOptions IsWarpable
-             LibraryWithPipeline MotionFilter MotionTiles Parameters PrefilterPass SuperResolution SuperResolutionOptions
+             LibraryWithPipeline MotionFilter MotionTiles Parameters PrefilterPass SuperResolution
+             SuperResolutionOptions
              ThreadPool Warp WarpReference WarpRows)
   if(NOT name IN_LIST shown)
     message(FATAL_ERROR "The library hides ${name}.")

@@ -118,10 +118,13 @@ TEST(KeptPoint, IsTheBaseIfThatIsWithinAStandardErrorOfTheOptimum) {
   EXPECT_TRUE(result.parameters[0].at_base && result.parameters[1].at_base);
 }
 
+const double kDefaultLogA = std::log(static_cast<double>(Parameters{}.blend_a));
+
 // The prior alone would keep a part of the way.
 TEST(KeptPoint, IsTheBaseWhereTheDataDoesNotTell) {
   std::vector<Bowls::Bowl> bowls = Alike(0, 20);
-  for (std::size_t i = 0; i < bowls.size(); ++i) bowls[i].log_a = i % 4 < 2 ? -1.0 : 1.05;
+  for (std::size_t i = 0; i < bowls.size(); ++i)
+    bowls[i].log_a = kDefaultLogA + (i % 4 < 2 ? -1.0 : 1.05);
   Bowls undecided(bowls);
   const CalibrationResult result = Fit(undecided, {kA, kB});
   EXPECT_NE(result.best.parameters, Parameters{});
@@ -134,7 +137,8 @@ TEST(KeptPoint, IsTheBaseWhereTheDataDoesNotTell) {
 
 TEST(KeptPoint, GoesBackInOneCoordinateAlone) {
   std::vector<Bowls::Bowl> bowls = Alike(0, 20);
-  for (std::size_t i = 0; i < bowls.size(); ++i) bowls[i].log_a = i % 4 < 2 ? -1.0 : 1.05;
+  for (std::size_t i = 0; i < bowls.size(); ++i)
+    bowls[i].log_a = kDefaultLogA + (i % 4 < 2 ? -1.0 : 1.05);
   Bowls undecided(bowls, 0.05, 0.02);
   const CalibrationResult result = Fit(undecided, {kA, kB});
   EXPECT_TRUE(result.parameters[0].at_base);
