@@ -67,8 +67,8 @@ constexpr float SettledDistance(PixelFormat history, ColorEncoding encoding) {
 
 // `share` of `distance`, lengthened to `least` where the distance is more than `settled` and
 // rounding would undo even the step of `fullest`, the share that the pixel has in the frame whose
-// sample lies nearest. A pixel that this frame's samples are far from waits for that frame: it would
-// otherwise never rest under a jitter cycle.
+// sample lies nearest. A pixel that this frame's samples are far from waits for that frame; it
+// would otherwise never rest under a jitter cycle.
 inline float HistoryStep(float share, float fullest, float distance, float settled, float least) {
   const bool is_lengthened =
       share > 0 && std::abs(distance) > settled && std::abs(fullest * distance) < least;

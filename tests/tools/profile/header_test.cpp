@@ -38,7 +38,7 @@ TEST(PipelineHeader, IsTheOneThatCompiles) {
   EXPECT_EQ(PipelineHeader({"A golden file of tests/tools/profile/header_test.cpp.", "",
                             "Every choice has a value."},
                            configuration),
-            ReadFile(WARPLUT_SOURCE "/tests/tools/profile_pipeline.h"));
+            ReadFile(WARPLUT_SOURCE "/tests/tools/profile/pipeline.h"));
 }
 
 TEST(PipelineHeader, LeavesOutWhatHasNoValue) {
