@@ -63,6 +63,43 @@ TEST_P(TableTest, NodeThirtyTwoIsNodeZeroOfTheNextTexel) {
   }
 }
 
+TEST_P(TableTest, OfMoreTapsHoldsTheStoredWeights) {
+  const double unit = std::ldexp(1.0, -FractionBits(GetParam()));
+  for (const Footprint footprint : {Footprint::k24, Footprint::k36}) {
+    const Table wide(MakeWideTable(GetParam(), footprint).view());
+    EXPECT_EQ(wide.footprint(), footprint);
+    for (int jy = 0; jy <= kNodes; ++jy) {
+      for (int ix = 0; ix <= kNodes; ++ix) {
+        const double dx = std::min(NodeOffset(ix), 1 - 1e-7),
+                     dy = std::min(NodeOffset(jy), 1 - 1e-7);
+        const auto expected = WideWeights(footprint, 4.5, NodeOffset(ix), NodeOffset(jy));
+        const Weights<float> w =
+            wide.At(static_cast<float>(dx), static_cast<float>(dy), Lookup::kNearest);
+        for (int k = 0; k < kWeights; ++k) {
+          ASSERT_NEAR(w[k], expected[k], 0.5 * TapCount(footprint) * unit);
+          if (!HasTap(footprint, TapX(k), TapY(k))) {
+            ASSERT_EQ(w[k], 0);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(TapLayout, HasEveryTapOnceInRunsOrPairs) {
+  for (const Footprint footprint : kFootprints) {
+    const TapLayout& layout = LayoutOf(footprint);
+    Weights<int> seen{};
+    for (int place = 0; place < TapCount(footprint); ++place) ++seen[layout.Weight(place)];
+    for (int k = 0; k < kWeights; ++k) {
+      EXPECT_EQ(seen[k], HasTap(footprint, TapX(k), TapY(k)) ? 1 : 0);
+    }
+    for (int i = 0; i < layout.count && footprint == Footprint::k16; ++i) {
+      EXPECT_TRUE(layout.groups[i].is_run);
+    }
+  }
+}
+
 TEST_P(TableTest, CopiesOwnTheirRows) {
   const Weights<float> expected = table.At(0.3f, 0.7f, Lookup::kBilinear);
   Table copy = Table(stored.view());

@@ -55,6 +55,10 @@ TEST_F(CommandLine, RefusesOptionsOutOfRange) {
   const std::string image = WriteWavyImage(Path("a.png"), 64, 64);
   ExpectRefused(RunWarplut({"train", "--data", image, "--out", Path("f.json"), "--scale", "0.5"}),
                 kUsage, "scale");
+  ExpectRefused(RunWarplut({"train", "--data", image, "--out", Path("f.json"), "--taps", "20"}),
+                kUsage, "--taps is 20; expected 16, 24 or 36");
+  ExpectRefused(RunWarplut({"train", "--data", image, "--out", Path("f.json"), "--taps", "24"}),
+                kUsage, "taps is 24 with prefilter iir; expected prefilter none");
   ExpectRefused(RunWarplut({"train", "--data", image, "--out", Path("no-name.json")}), kUsage,
                 "no-name");
   ExpectRefused(RunWarplut({"dataset", "render", "all", "--out", Path("out"), "--scale", "0.5"}),
