@@ -215,8 +215,9 @@ void AddTrainCommand(CLI::App& app, CommandRun* run) {
   command->add_option(
       "--pan-share", options.pan_share,
       fmt::format("Share of pans in the objective, in [0, 1) (default: "
-                  "{:.2f}, {} with 16 taps and --prefilter none, {} with --objective sr)",
-                  kPanShare, kPlainPanShare, kSrPanShare));
+                  "{:.2f}, {} with --prefilter none, there {} with more taps, {} with "
+                  "--objective sr)",
+                  kPanShare, kPlainPanShare, kWidePanShare, kSrPanShare));
   command->add_option("--aliasing", options.aliasing,
                       fmt::format("Noise of samples by aliasing, in output pixels, for --objective "
                                   "sr (default: {})",

@@ -17,7 +17,7 @@ case $objective in
   warp) prefix=warplut_x size='--prefilter none --pan-share 0' ;;
   sr) prefix=warplut_sr_x size='--prefilter none --crops 14 --stages 2 --iterations 24 --blend-a 0.85 --blend-b 1' ;;
   t24 | t36)
-    prefix=warplut_${objective}_x size="--prefilter none --taps ${objective#t}" scales=2
+    prefix=warplut_${objective}_x size="--prefilter none --taps ${objective#t} --gain-bound 1.0095" scales=2
     objective=warp
     ;;
   *) echo "$0: the objective is '$objective'; expected iir, warp, sr, t24 or t36" >&2; exit 2 ;;

@@ -98,24 +98,29 @@ TrainOptions TrainOptions::Resolved() const {
   TrainOptions resolved = *this;
   if (horizons.empty()) resolved.horizons = DefaultHorizons(scale);
   const int longest = resolved.horizons.back();
-  const bool plain = prefilter == TrainPrefilter::kNone && footprint == Footprint::k16;
+  const bool wide = footprint != Footprint::k16;
+  const bool plain = prefilter == TrainPrefilter::kNone && !wide;
   if (iterations == 0) {
     resolved.iterations = optimizer == Optimizer::kAdam ? kDefaultAdamIterations
                           : plain                       ? kDefaultPlainLbfgsIterations
+                          : wide                        ? kDefaultWideLbfgsIterations
                                                         : kDefaultLbfgsIterations;
   }
   if (gain_bound == 0) resolved.gain_bound = DefaultGainBound(longest);
   const bool sr = objective == TrainObjective::kSr;
-  const double warp_share = plain ? kPlainPanShare : kPanShare;
+  const double warp_share = wide ? kWidePanShare : plain ? kPlainPanShare : kPanShare;
   resolved.pan_share = pan_share.value_or(sr ? kSrPanShare : warp_share);
   if (sr) {
     resolved.aliasing = aliasing.value_or(kSrAliasing);
     resolved.blend_a = blend_a.value_or(Decimal(Parameters().blend_a));
     resolved.blend_b = blend_b.value_or(Decimal(Parameters().blend_b));
   }
-  if (crops == 0)
-    resolved.crops =
-        std::max(kFewestCrops, (plain ? kDefaultPlainCropWarps : kDefaultCropWarps) / longest);
+  if (crops == 0) {
+    const int work = wide    ? kDefaultWideCropWarps
+                     : plain ? kDefaultPlainCropWarps
+                             : kDefaultCropWarps;
+    resolved.crops = std::max(kFewestCrops, work / longest);
+  }
   return resolved;
 }
 

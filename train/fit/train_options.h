@@ -39,11 +39,14 @@ inline constexpr int kDefaultStages = 3;
 // more.
 inline constexpr int kDefaultLbfgsIterations = 20;
 inline constexpr int kDefaultPlainLbfgsIterations = 40;  // 16 taps without prefilter
+inline constexpr int kDefaultWideLbfgsIterations = 24;   // 24 and 36 taps
 inline constexpr int kDefaultAdamIterations = 100;
 
 // The share of pans in objective `warp`, and there of 16 taps without prefilter.
 inline constexpr double kPanShare = 1.0 / 3;
 inline constexpr double kPlainPanShare = 0.08;
+// Of 24 and 36 taps: a larger one gains at pans and loses at random offsets.
+inline constexpr double kWidePanShare = 0.12;
 
 // The share of pans in objective `sr`.
 inline constexpr double kSrPanShare = 0.3;
@@ -55,6 +58,7 @@ inline constexpr double kSrAliasing = 1.5;
 // take longer.
 inline constexpr int kDefaultCropWarps = 12 * 64;
 inline constexpr int kDefaultPlainCropWarps = 32 * 64;  // 16 taps without prefilter
+inline constexpr int kDefaultWideCropWarps = 18 * 64;   // 24 and 36 taps
 
 inline constexpr int kFewestCrops = 12;
 

@@ -80,6 +80,8 @@ TEST(TrainOptions, MoreTapsStandAlone) {
   options.prefilter = TrainPrefilter::kNone;
   EXPECT_TRUE(options.IsValid(&why));
   EXPECT_NE(options.Resolved().Json().find("\"taps\":24"), std::string::npos);
+  EXPECT_EQ(*options.Resolved().pan_share, kWidePanShare);
+  EXPECT_EQ(options.Resolved().crops, kDefaultWideCropWarps / 64);
   EXPECT_EQ(TrainOptions().Resolved().Json().find("taps"), std::string::npos);
 }
 
