@@ -57,11 +57,12 @@ int main() {
     const Display& before = displays[(i + 1) % 2];
     const RenderedFrame rendered = scene.Render(i);
     super_resolution.Process(rendered, now.color);
-    CopyGeometry(super_resolution.Geometry(), now);  // its views end at the next Process
+    const OutputGeometry geometry = super_resolution.Geometry();
+    CopyGeometry(geometry, now);  // its views end at the next Process
     now.frame = {.color = now.color.view(),
                  .depth = now.depth.view(),
                  .motion = now.motion.view(),
-                 .cut = rendered.cut,
+                 .cut = geometry.cut,
                  .id = static_cast<std::uint64_t>(i) + 1};
     if (i == 0) continue;
     generation.Interpolate(before.frame, now.frame, 0.5f, between);  // show `between`, then `now`

@@ -10,7 +10,7 @@ set -eu
 
 # shellcheck source=tools/measure/measuring.sh
 . "$(dirname "$0")/measuring.sh"
-lut=luts/baked/warplut_sr_x2.json
+lut=luts/baked/warplut_iir_x2.json
 
 # defaults TABLE OPTION...: judges the recorded sequences with the default parameters.
 defaults() {
@@ -117,7 +117,7 @@ filters() {
     printf '\n|---|---:|---:|'
     if [ -n "$data" ]; then printf -- '---:|---:|'; fi
     echo
-    for filter in bilinear catmull-rom keys:-0.65 warplut_sr_x2 warplut_iir_x2; do
+    for filter in bilinear catmull-rom keys:-0.65 spline:0 spline:1/84 warplut_sr_x2 warplut_iir_x2; do
       printf '| %s | %s |' "$filter" "$(mean_sr "$filter" --sequence "$out/scenes-filters"/*)"
       if [ -n "$data" ]; then printf ' %s |' "$(mean_sr "$filter" --sequence "$data"/*/)"; fi
       echo
