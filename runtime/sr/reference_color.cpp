@@ -88,7 +88,7 @@ Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, flo
   const float settled =
       SettledDistance(job.next.format, EncodingOf(job.options)) - ResidualSlack(job.next.format);
   const float least = LeastStep(job.next.format);
-  const float fullest = BlendShare(parameters.blend_a, 1);
+  const float fullest = BlendShare(parameters.blend_a, 1.0f);
   Rgb q;
   for (int c = 0; c < 3; ++c) {
     const float current = BilinearAt(job, job.planes.color[c], x, y);

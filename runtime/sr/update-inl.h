@@ -157,7 +157,7 @@ HWY_INLINE void AddResidual(const SrJob& job, const HistorySteps& steps, int x, 
     }
   }
   if (hn::AllTrue(d, hn::Le(share, hn::Zero(d)))) return;
-  const auto fullest = hn::Set(d, BlendShare(parameters.blend_a, 1));
+  const auto fullest = hn::Set(d, BlendShare(parameters.blend_a, 1.0f));
   p.r = steps.Add(share, fullest, cell.Mixed(rows.Row(kResidualRow), t), p.r);
   p.g = steps.Add(share, fullest, cell.Mixed(rows.Row(kResidualRow + 1), t), p.g);
   p.b = steps.Add(share, fullest, cell.Mixed(rows.Row(kResidualRow + 2), t), p.b);
