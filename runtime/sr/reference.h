@@ -65,14 +65,20 @@ constexpr float SettledDistance(PixelFormat history, ColorEncoding encoding) {
   return (history == PixelFormat::kRgba8 ? 1.0f : CodeContrast(encoding)) / 255;
 }
 
-// `share` of `distance`, lengthened to `least` where the distance is more than `settled` and
-// rounding would undo even the step of `fullest`, the share that the pixel has in the frame whose
-// sample lies nearest. A pixel that this frame's samples are far from waits for that frame; it
-// would otherwise never rest under a jitter cycle.
-inline float HistoryStep(float share, float fullest, float distance, float settled, float least) {
-  const bool is_lengthened =
-      share > 0 && std::abs(distance) > settled && std::abs(fullest * distance) < least;
-  return is_lengthened ? std::copysign(least, distance) : share * distance;
+// LeastStep of the residual forms. It is 0 unless the nearest sample's share is so small that
+// rounding would undo a step towards a sample one unit beyond SettledDistance: a larger share needs
+// no help, and under a jitter cycle a history that is helped moves by a unit from cycle to cycle.
+inline float LeastResidualStep(PixelFormat history, ColorEncoding encoding, float blend_a) {
+  const float least = LeastStep(history), unit = least / 0.75f;
+  const float distance = SettledDistance(history, encoding) + unit - ResidualSlack(history);
+  return BlendShare(blend_a, 1.0f) * distance < 0.5f * unit ? least : 0.0f;
+}
+
+// `share` of `distance`, lengthened to `least` where the distance is more than `settled`.
+inline float HistoryStep(float share, float distance, float settled, float least) {
+  const float step = share * distance;
+  const bool is_lengthened = share > 0 && std::abs(distance) > settled && std::abs(step) < least;
+  return is_lengthened ? std::copysign(least, distance) : step;
 }
 
 // Whether the samples (i, j) to (i + 1, j + 1) belong to different surfaces, or one has no motion.

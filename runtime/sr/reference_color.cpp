@@ -73,7 +73,7 @@ Rgb UpdateFromSamples(const SrJob& job, int x, int y, const Rgb& predicted, floa
   Rgb q;
   for (int c = 0; c < 3; ++c) {
     const float distance = sums.color.c[c] / sums.weight - predicted.c[c];
-    q.c[c] = predicted.c[c] + HistoryStep(share, share, distance, settled, least);
+    q.c[c] = predicted.c[c] + HistoryStep(share, distance, settled, least);
   }
   return q;
 }
@@ -87,13 +87,13 @@ Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, flo
   const float current_share = validity * smoothing * kSmoothShare;
   const float settled =
       SettledDistance(job.next.format, EncodingOf(job.options)) - ResidualSlack(job.next.format);
-  const float least = LeastStep(job.next.format);
-  const float fullest = BlendShare(parameters.blend_a, 1.0f);
+  const float least =
+      LeastResidualStep(job.next.format, EncodingOf(job.options), parameters.blend_a);
   Rgb q;
   for (int c = 0; c < 3; ++c) {
     const float current = BilinearAt(job, job.planes.color[c], x, y);
     const float residual = BilinearAt(job, job.residual[c], x, y);
-    q.c[c] = predicted.c[c] + HistoryStep(share, fullest, residual, settled, least) +
+    q.c[c] = predicted.c[c] + HistoryStep(share, residual, settled, least) +
              current_share * (current - predicted.c[c]);
   }
   return q;

@@ -114,20 +114,23 @@ HWY_INLINE void FillLimitRow(const Plane& color, int j, float* limit) {
 // HistoryStep for kLanes pixels.
 class HistorySteps {
  public:
-  // `slack` is off the distances already.
-  HWY_INLINE HistorySteps(const SrJob& job, float slack)
-      : settled_(SettledDistance(HistoryFormatOf(job.options), EncodingOf(job.options)) - slack),
-        least_(LeastStep(HistoryFormatOf(job.options))) {}
+  // In the residual forms ResidualSlack is off the distances already.
+  HWY_INLINE HistorySteps(const SrJob& job, bool residual)
+      : settled_(SettledDistance(HistoryFormatOf(job.options), EncodingOf(job.options)) -
+                 (residual ? ResidualSlack(HistoryFormatOf(job.options)) : 0.0f)),
+        least_(residual ? LeastResidualStep(HistoryFormatOf(job.options), EncodingOf(job.options),
+                                            job.options.parameters.blend_a)
+                        : LeastStep(HistoryFormatOf(job.options))) {}
 
   // from + step.
-  HWY_INLINE Floats Add(Floats share, Floats fullest, Floats distance, Floats from) const {
+  HWY_INLINE Floats Add(Floats share, Floats distance, Floats from) const {
     const FloatTag d;
     const auto to = hn::MulAdd(share, distance, from);
     if (!(least_ > 0)) return to;
     const auto least = hn::Set(d, least_);
     const auto is_far =
         hn::And(hn::Gt(share, hn::Zero(d)), hn::Gt(hn::Abs(distance), hn::Set(d, settled_)));
-    const auto lengthened = hn::And(is_far, hn::Lt(hn::Abs(hn::Mul(fullest, distance)), least));
+    const auto lengthened = hn::And(is_far, hn::Lt(hn::Abs(hn::Mul(share, distance)), least));
     return hn::IfThenElse(lengthened, hn::Add(from, hn::CopySign(least, distance)), to);
   }
 
@@ -157,10 +160,9 @@ HWY_INLINE void AddResidual(const SrJob& job, const HistorySteps& steps, int x, 
     }
   }
   if (hn::AllTrue(d, hn::Le(share, hn::Zero(d)))) return;
-  const auto fullest = hn::Set(d, BlendShare(parameters.blend_a, 1.0f));
-  p.r = steps.Add(share, fullest, cell.Mixed(rows.Row(kResidualRow), t), p.r);
-  p.g = steps.Add(share, fullest, cell.Mixed(rows.Row(kResidualRow + 1), t), p.g);
-  p.b = steps.Add(share, fullest, cell.Mixed(rows.Row(kResidualRow + 2), t), p.b);
+  p.r = steps.Add(share, cell.Mixed(rows.Row(kResidualRow), t), p.r);
+  p.g = steps.Add(share, cell.Mixed(rows.Row(kResidualRow + 1), t), p.g);
+  p.b = steps.Add(share, cell.Mixed(rows.Row(kResidualRow + 2), t), p.b);
 }
 
 // UpdateFromSamples for kLanes pixels, whose alpha is the validity.
@@ -198,9 +200,9 @@ HWY_INLINE void BlendSamples(const SrJob& job, const HistorySteps& steps, int x,
   const auto mean = hn::IfThenElseZero(seen, hn::Div(sum.a, hn::Max(count, one)));
   const auto share = hn::Mul(p.a, BlendShares(parameters.blend_a, mean));
   const auto inverse = hn::Div(one, hn::IfThenElse(seen, sum.a, one));
-  p.r = steps.Add(share, share, hn::Sub(hn::Mul(sum.r, inverse), p.r), p.r);
-  p.g = steps.Add(share, share, hn::Sub(hn::Mul(sum.g, inverse), p.g), p.g);
-  p.b = steps.Add(share, share, hn::Sub(hn::Mul(sum.b, inverse), p.b), p.b);
+  p.r = steps.Add(share, hn::Sub(hn::Mul(sum.r, inverse), p.r), p.r);
+  p.g = steps.Add(share, hn::Sub(hn::Mul(sum.g, inverse), p.g), p.g);
+  p.b = steps.Add(share, hn::Sub(hn::Mul(sum.b, inverse), p.b), p.b);
 }
 
 inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
@@ -213,7 +215,7 @@ inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
   const bool samples = KeepsHistory(options) && !residual;
   Plane& rows = scratch.render_rows;
   const bool limits = EncodingOf(options) == ColorEncoding::kLinearHdr && KeepsHistory(options);
-  const HistorySteps steps(job, residual ? ResidualSlack(next.format) : 0.0f);
+  const HistorySteps steps(job, residual);
   int smoothing_row = -1, limit_row = -1;  // of samples
   bool smooths = false;
   for (int y = begin; y < end; ++y) {

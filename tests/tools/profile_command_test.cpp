@@ -69,7 +69,7 @@ TEST_F(ProfileCommand, GivesJsonAndMarkdown) {
 
 TEST_F(ProfileCommand, ProposesATableThatThePrintedCommandMakes) {
   const std::string fit = Path("it's a fit.json");
-  WriteFile(fit, ReadFile(WARPLUT_SOURCE "/luts/fits/warplut_sr_x2.json"));
+  WriteFile(fit, ReadFile(WARPLUT_SOURCE "/luts/fits/warplut_iir_x2.json"));
   const auto profile = [&](const std::string& lut, const std::vector<std::string>& more = {}) {
     std::vector<std::string> line = {"profile", "--sequence", Path("pan"),
                                      "--mode",  "sr",         "--lut",
@@ -88,12 +88,12 @@ TEST_F(ProfileCommand, ProposesATableThatThePrintedCommandMakes) {
   const ProgramResult baked =
       RunProgram("/bin/sh", {"-c", std::string(WARPLUT_PROGRAM) + command.substr(7)});
   ASSERT_EQ(baked.code, 0) << baked.err;
-  const std::string made = Path("new folder/warplut_sr_x2.json");
+  const std::string made = Path("new folder/warplut_iir_x2.json");
   EXPECT_EQ(nlohmann::json::parse(ReadFile(made))["storage"], json["table"]["storage"]);
   // Of what is baked the fit is not at hand.
   const ProgramResult of_baked = profile(made, {"--within", "0.0001"});
   ASSERT_EQ(of_baked.code, 0) << of_baked.err;
-  EXPECT_THAT(of_baked.out, HasSubstr("bake the fit of warplut_sr_x2 with --format"));
+  EXPECT_THAT(of_baked.out, HasSubstr("bake the fit of warplut_iir_x2 with --format"));
 }
 
 TEST_F(ProfileCommand, RefusesWhatMakesNoSense) {
