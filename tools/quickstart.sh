@@ -178,7 +178,12 @@ step render-held-out render held-out 3 16
 step train train
 step bake bake
 step judge-held-out judge quickstart-held-out "$out"/held-out/*
-if [ -n "$data" ]; then step judge-data judge quickstart-data "$data"/*/; fi
+if [ -n "$data" ]; then
+  # Sequences, or folders of images where there are none.
+  set -- "$data"/*/sequence.json
+  if [ ! -e "$1" ]; then set -- "$data"/*/; fi
+  step judge-data judge quickstart-data "$@"
+fi
 step cost cost
 step example example
 step render-clips render_clips

@@ -35,8 +35,8 @@ rows() {
   if [ -z "$data" ]; then return; fi
   judge "$1" stk-lighthouse stk-scotland --sequence "$data/stk-lighthouse" "$data/stk-scotland"
   judge "$1" stk-scotland stk-lighthouse --sequence "$data/stk-lighthouse" "$data/stk-scotland"
-  judge "$1" mobfgsr-sample stk-lighthouse,stk-scotland --sequence "$data"/*/
-  judge "$1" stk-lighthouse+stk-scotland mobfgsr-sample --sequence "$data"/*/
+  judge "$1" mobfgsr-sample stk-lighthouse,stk-scotland --sequence "$data"/*/sequence.json
+  judge "$1" stk-lighthouse+stk-scotland mobfgsr-sample --sequence "$data"/*/sequence.json
 }
 
 for scene in street plaza harbour gallery colonnade; do

@@ -16,7 +16,7 @@ lut=luts/baked/warplut_iir_x2.json
 defaults() {
   table=$out/tables/$1.md
   shift
-  "$warplut" eval --sequence "$data"/*/ --modes sr,i,isr --lut "$lut" --markdown "$@" \
+  "$warplut" eval --sequence "$data"/*/sequence.json --modes sr,i,isr --lut "$lut" --markdown "$@" \
     > "$table.part"
   mv "$table.part" "$table"
 }
@@ -26,11 +26,11 @@ leave_one_out() {
   table=$out/tables/$1.md
   shift
   : > "$table.part"
-  for judged in "$data"/*/; do
-    name=$(basename "$judged")
+  for judged in "$data"/*/sequence.json; do
+    name=$(basename "$(dirname "$judged")")
     params=$out/params/$name.json
     set -- "$@" --
-    for other in "$data"/*/; do
+    for other in "$data"/*/sequence.json; do
       if [ "$other" != "$judged" ]; then set -- "$@" "$other"; fi
     done
     # What stands behind '--' are the sequences to fit.
@@ -119,7 +119,7 @@ filters() {
     echo
     for filter in bilinear catmull-rom keys:-0.65 spline:0 spline:1/84 warplut_sr_x2 warplut_iir_x2; do
       printf '| %s | %s |' "$filter" "$(mean_sr "$filter" --sequence "$out/scenes-filters"/*)"
-      if [ -n "$data" ]; then printf ' %s |' "$(mean_sr "$filter" --sequence "$data"/*/)"; fi
+      if [ -n "$data" ]; then printf ' %s |' "$(mean_sr "$filter" --sequence "$data"/*/sequence.json)"; fi
       echo
     done
   } > "$table.part"
