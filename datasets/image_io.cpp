@@ -297,8 +297,9 @@ ImageInfo ReadImageInfo(const fs::path& path, const std::vector<std::string>& ch
 
 Image ReadImage(const fs::path& path, const std::vector<std::string>& channels, Values accepted) {
   if (HasExtension(path, ".flo")) {
-    const Image image = TakeChannels(ReadFlo(path), FloChannels(path, channels));
-    CheckValues(path, image, FloChannels(path, channels), kFloChannels, accepted);
+    const std::vector<int> wanted = FloChannels(path, channels);
+    const Image image = TakeChannels(ReadFlo(path), wanted);
+    CheckValues(path, image, wanted, kFloChannels, accepted);
     return image;
   }
   const OpenPart open = Open(path, channels, false);

@@ -24,8 +24,8 @@ struct ImageInfo {
   bool operator==(const ImageInfo&) const = default;
 };
 
-// Of the part of the file that has these channels; of the first part where none are named. Errors
-// as ReadImage, as far as the header shows them. Any number of channels.
+// Describes the part of the file that has these channels, the first part if none are named. Any
+// number of channels. Errors as ReadImage, as far as the header shows them.
 ImageInfo ReadImageInfo(const std::filesystem::path& path,
                         const std::vector<std::string>& channels = {});
 

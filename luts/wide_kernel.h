@@ -1,7 +1,7 @@
 // The closed-form kernels of the footprints of 24 and 36 taps: where their weights start, and the
 // head's base (luts/fit/head.h).
 //
-// Of one axis, with the fraction d in [0, 1] and the taps n = -2..3:
+// Along one axis, with the fraction d in [0, 1] and the taps n = -2..3:
 //
 //   K_n(d) = sinc(d - n) I0(b sqrt(1 - ((d - n) / 3)^2)),  divided by the sum over n
 //

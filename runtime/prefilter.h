@@ -42,7 +42,7 @@ constexpr int MirroredPixel(int i, int size) {
 }
 
 // The format of the coefficients of samples in `format`: they overshoot the range of the samples.
-// Of RGBA8 they are code values in RGBA16F; the float formats keep theirs.
+// Those of RGBA8 are code values in RGBA16F; the float formats keep theirs.
 constexpr PixelFormat CoefficientFormat(PixelFormat format) {
   return format == PixelFormat::kRgba8 ? PixelFormat::kRgba16F : format;
 }

@@ -10,6 +10,7 @@
 #include "luts/bake/baked_header.h"
 #include "luts/bake/exr.h"
 #include "luts/bake/released_layout.h"
+#include "luts/fit/fit_records.h"
 #include "luts/fit/json_header.h"
 #include "luts/fit/prefilter_json.h"
 #include "luts/quantize/quantize.h"
@@ -28,15 +29,8 @@ nlohmann::ordered_json Provenance(const Fit& fit) {
   json["keys_a"] = fit.keys_a;
   json["options"] = fit.options;
   if (fit.cut) json["ended"] = kCutFit;
-  nlohmann::ordered_json& data = json["data"] = nlohmann::ordered_json::array();
-  for (const FitData& d : fit.data) {
-    data.push_back({{"name", d.name}, {"sha1", d.sha1}, {"width", d.width}, {"height", d.height}});
-  }
-  nlohmann::ordered_json& validation = json["validation"] = nlohmann::ordered_json::array();
-  for (const FitScore& s : fit.validation) {
-    validation.push_back(
-        {{"filter", s.filter}, {"warps", s.warps}, {"offsets", s.offsets}, {"ssim", s.ssim}});
-  }
+  json["data"] = fit.data;
+  json["validation"] = fit.validation;
   return json;
 }
 

@@ -11,6 +11,7 @@
 #include "datasets/error.h"
 #include "datasets/file.h"
 #include "datasets/json_fields.h"
+#include "luts/fit/fit_records.h"
 #include "luts/fit/json_header.h"
 #include "luts/fit/prefilter_json.h"
 #include "luts/footprint_names.h"
@@ -162,10 +163,7 @@ nlohmann::ordered_json ToJson(const Fit& fit) {
   json["seed"] = fit.seed;
   json["options"] = fit.options;
   if (fit.cut) json["ended"] = kCutFit;
-  nlohmann::ordered_json& data = json["data"] = nlohmann::ordered_json::array();
-  for (const FitData& d : fit.data) {
-    data.push_back({{"name", d.name}, {"sha1", d.sha1}, {"width", d.width}, {"height", d.height}});
-  }
+  json["data"] = fit.data;
   nlohmann::ordered_json& loss = json["loss"] = nlohmann::ordered_json::array();
   for (const FitLoss& l : fit.loss) {
     loss.push_back({{"seconds", l.seconds},
@@ -173,11 +171,7 @@ nlohmann::ordered_json ToJson(const Fit& fit) {
                     {"loss", l.loss},
                     {"validation", l.validation}});
   }
-  nlohmann::ordered_json& validation = json["validation"] = nlohmann::ordered_json::array();
-  for (const FitScore& s : fit.validation) {
-    validation.push_back(
-        {{"filter", s.filter}, {"warps", s.warps}, {"offsets", s.offsets}, {"ssim", s.ssim}});
-  }
+  json["validation"] = fit.validation;
   if (HasPrefilter(fit.prefilter)) json["prefilter"] = ToJson(fit.prefilter);
   WriteFootprint(fit.footprint, json);
   if (wide) json["kaiser_b"] = fit.kaiser_b;

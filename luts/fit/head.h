@@ -17,7 +17,7 @@
 // d = 0 is the identity; and a node with dx = 0 (dy = 0) has weights in one column (row) only, so
 // that neighbouring cells meet without a seam.
 //
-// Of 24 and 36 taps C are the weights of their wide kernel (luts/wide_kernel.h), and m_x and m_y
+// With 24 and 36 taps C are the weights of their wide kernel (luts/wide_kernel.h), and m_x and m_y
 // are left out: what closes the first moment of weights that reach so far costs more at the
 // frequencies that images have than it gains.
 //

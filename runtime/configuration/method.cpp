@@ -4,24 +4,25 @@
 #include <cstddef>
 
 #include "runtime/configuration/choice_list.h"
+#include "runtime/configuration/parameter_index.h"
 
 namespace warplut {
 namespace {
 
 // The index in kParameters; a name that is not there does not compile.
-consteval int ParameterIndex(std::string_view name) {
-  for (std::size_t i = 0; i < kParameters.size(); ++i) {
-    if (name == kParameters[i].name) return static_cast<int>(i);
-  }
-  throw "no such parameter";
+// ParameterIndex of a parameter that there is.
+consteval int IndexOf(std::string_view name) {
+  const int index = ParameterIndex(name);
+  if (index < 0) throw "no such parameter";
+  return index;
 }
 
-constexpr int kSrDepth = ParameterIndex("sr_depth_threshold");
-constexpr int kGenerationDepth = ParameterIndex("generation_depth_threshold");
-constexpr int kBrightness = ParameterIndex("brightness_threshold");
-constexpr int kBlendA = ParameterIndex("blend_a");
-constexpr int kBlendB = ParameterIndex("blend_b");
-constexpr int kGamma = ParameterIndex("clamp_gamma");
+constexpr int kSrDepth = IndexOf("sr_depth_threshold");
+constexpr int kGenerationDepth = IndexOf("generation_depth_threshold");
+constexpr int kBrightness = IndexOf("brightness_threshold");
+constexpr int kBlendA = IndexOf("blend_a");
+constexpr int kBlendB = IndexOf("blend_b");
+constexpr int kGamma = IndexOf("clamp_gamma");
 
 // Takes what a method decides from the defaults; the rest belongs to the caller.
 template <class List, class Options>

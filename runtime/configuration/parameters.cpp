@@ -1,7 +1,8 @@
 #include "runtime/parameters.h"
 
-#include <cstddef>
 #include <cstdio>
+
+#include "runtime/configuration/parameter_index.h"
 
 namespace warplut {
 
@@ -21,12 +22,7 @@ bool Parameters::IsValid(std::string* why) const {
   return true;
 }
 
-int FindParameter(const std::string& name) {
-  for (std::size_t i = 0; i < kParameters.size(); ++i) {
-    if (name == kParameters[i].name) return static_cast<int>(i);
-  }
-  return -1;
-}
+int FindParameter(const std::string& name) { return ParameterIndex(name); }
 
 std::string ParameterNames() {
   std::string names;

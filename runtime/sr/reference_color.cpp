@@ -99,7 +99,7 @@ Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, flo
   return q;
 }
 
-// Of the residuals of columns [first, last) and rows [begin, end).
+// The variance of the residuals of columns [first, last) and rows [begin, end).
 float TileVariance(const Plane* residual, int first, int last, int begin, int end) {
   float squares = 0;
   float sums[3] = {};

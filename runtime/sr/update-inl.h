@@ -13,8 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace warplut {
 namespace HWY_NAMESPACE {
 
-// Of the residuals of columns [first, last) and rows [begin, end); `first` is a whole number of
-// tiles.
+// The variance of the residuals of columns [first, last) and rows [begin, end); `first` is a whole
+// number of tiles.
 HWY_INLINE float TileVariance(const Plane* residual, int first, int last, int begin, int end) {
   const FloatTag d;
   auto squares = hn::Zero(d);

@@ -11,6 +11,21 @@
 namespace warplut {
 namespace {
 
+// A training on one small image, of these stages and iterations, to `fit`.
+std::vector<std::string> Training(const TemporaryFolder& folder, const std::string& fit,
+                                  const char* stages, const char* iterations,
+                                  const std::vector<std::string>& more = {}) {
+  return CommandLine({"train"},
+                     {{"--data", WriteWavyImage(folder / "image.png", 256, 256)},
+                      {"--out", fit},
+                      {"--name", "fit"},
+                      {"--horizons", "2"},
+                      {"--crops", "16"},
+                      {"--iterations", iterations},
+                      {"--stages", stages}},
+                     more);
+}
+
 TEST(Interruption, StopsARenderingBetweenFramesAndGoesOn) {
   const TemporaryFolder folder;
   const std::vector<std::string> render = {
@@ -35,19 +50,7 @@ TEST(Interruption, StopsATrainingAtACheckpointAndItGoesOn) {
   const TemporaryFolder folder;
   const std::string fit = folder / "fit.json";
   // Many short stages, each of which ends with a checkpoint.
-  std::vector<std::string> train = {"train",
-                                    "--data",
-                                    WriteWavyImage(folder / "image.png", 256, 256),
-                                    "--out",
-                                    fit,
-                                    "--horizons",
-                                    "2",
-                                    "--crops",
-                                    "16",
-                                    "--iterations",
-                                    "1",
-                                    "--stages",
-                                    "1000"};
+  std::vector<std::string> train = Training(folder, fit, "1000", "1");
   ExpectRefused(RunWarplut(train, {.standard_output = {}, .signal_when = fit + ".checkpoint"}), 2,
                 "--resume");
   EXPECT_FALSE(std::filesystem::exists(fit));
@@ -63,27 +66,19 @@ TEST(Interruption, StopsATrainingAtACheckpointAndItGoesOn) {
 
 TEST(Interruption, StopsATrainingInsideItsFirstStageAndItGoesOn) {
   const TemporaryFolder folder;
-  const std::string image = WriteWavyImage(folder / "image.png", 256, 256);
-  const auto train = [&](const std::string& name, const std::vector<std::string>& more = {}) {
-    return CommandLine({"train"},
-                       {{"--data", image},
-                        {"--out", folder / (name + ".json")},
-                        {"--name", "fit"},
-                        {"--horizons", "2"},
-                        {"--crops", "16"},
-                        {"--iterations", "12"},
-                        {"--stages", "1"},
-                        {"--max-seconds", "100000"}},
-                       more);
+  const auto train = [&](const std::string& name, const std::string& limit) {
+    return Training(folder, folder / (name + ".json"), "1", "12", {"--max-seconds", limit});
   };
-  ASSERT_EQ(RunWarplut(train("whole")).code, 0);
+  ASSERT_EQ(RunWarplut(train("whole", "100000")).code, 0);
   // The checkpoint is there after the first evaluation.
-  ExpectRefused(RunWarplut(train("fit"),
+  ExpectRefused(RunWarplut(train("fit", "100000"),
                            {.standard_output = {}, .signal_when = folder / "fit.json.checkpoint"}),
                 2, "--resume");
   EXPECT_FALSE(std::filesystem::exists(folder / "fit.json"));
   ASSERT_TRUE(std::filesystem::exists(folder / "fit.json.checkpoint"));
-  const ProgramResult resumed = RunWarplut(train("fit", {"--resume", "--max-seconds", "200000"}));
+  std::vector<std::string> resume = train("fit", "200000");
+  resume.push_back("--resume");
+  const ProgramResult resumed = RunWarplut(resume);
   ASSERT_EQ(resumed.code, 0) << resumed.err;
   EXPECT_EQ(ReadFit(folder / "fit.json").parameters, ReadFit(folder / "whole.json").parameters);
 }
@@ -91,21 +86,7 @@ TEST(Interruption, StopsATrainingInsideItsFirstStageAndItGoesOn) {
 TEST(Interruption, ATimeLimitIsToldAndALargerOneGoesOn) {
   const TemporaryFolder folder;
   const std::string fit = folder / "fit.json";
-  std::vector<std::string> train = {"train",
-                                    "--data",
-                                    WriteWavyImage(folder / "image.png", 256, 256),
-                                    "--out",
-                                    fit,
-                                    "--horizons",
-                                    "2",
-                                    "--crops",
-                                    "16",
-                                    "--stages",
-                                    "1",
-                                    "--iterations",
-                                    "4",
-                                    "--max-seconds"};
-  train.push_back("0.000001");
+  std::vector<std::string> train = Training(folder, fit, "1", "4", {"--max-seconds", "0.000001"});
   const ProgramResult cut = RunWarplut(train);
   ASSERT_EQ(cut.code, 0) << cut.err;
   EXPECT_NE(cut.out.find("--max-seconds ended the training"), std::string::npos) << cut.out;

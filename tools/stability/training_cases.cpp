@@ -52,7 +52,7 @@ constexpr StabilityCase kCases[] = {
     Training(
         "optimum from parameters times 1e-6",
         "within 5 % of the end from the parameters as they are", OptimumFromTiny,
-        "the last biases alone have a gradient: it ends at the best raw values that do not hang "
+        "the last biases alone have a gradient: it ends at the best raw values that do not depend "
         "on the offset; no training starts there"),
     Training("offsets 0, one half and 1 - eps",
              "identity at 0 and at 1 - eps, 8 symmetries at 1/2, each within 32 eps (1 + size of "

@@ -45,7 +45,7 @@ inline constexpr int kDefaultAdamIterations = 100;
 // The share of pans in objective `warp`, and there of 16 taps without prefilter.
 inline constexpr double kPanShare = 1.0 / 3;
 inline constexpr double kPlainPanShare = 0.08;
-// Of 24 and 36 taps: a larger one gains at pans and loses at random offsets.
+// The share with 24 and 36 taps: a larger one gains at pans and loses at random offsets.
 inline constexpr double kWidePanShare = 0.12;
 
 // The share of pans in objective `sr`.
