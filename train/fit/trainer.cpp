@@ -128,11 +128,12 @@ class Training {
     }
   }
 
-  // Returns false if the callback stopped it.
+  // Returns false if the callback stopped it. The first stage always begins, however short the time
+  // limit is, so that there is a resampler to write.
   bool Run() {
     start_ = Clock::now() - std::chrono::duration_cast<Clock::duration>(
                                 std::chrono::duration<double>(state_.seconds));
-    while (state_.stage < options_.stages && !OutOfTime()) {
+    while (state_.stage < options_.stages && (state_.best_parameters.empty() || !OutOfTime())) {
       if (!RunStage()) return false;
     }
     // After a cut there is more to do: it stays for --resume.

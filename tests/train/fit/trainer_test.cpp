@@ -168,7 +168,8 @@ TEST(Trainer, TellsWhatATimeLimitCutAndGoesOnWithALargerOne) {
   EXPECT_FALSE(whole.cut);
   EXPECT_FALSE(whole.fit.cut);
   options.checkpoint = folder.path() / "fit.checkpoint";
-  options.max_seconds = 1e-6;
+  // Less than any clock tells: over before the first evaluation.
+  options.max_seconds = 1e-12;
   auto cut = Train(options, Images());
   EXPECT_TRUE(cut.cut);
   EXPECT_FALSE(cut.interrupted);
@@ -177,8 +178,11 @@ TEST(Trainer, TellsWhatATimeLimitCutAndGoesOnWithALargerOne) {
   WriteFit(folder / "fit.json", cut.fit);
   EXPECT_TRUE(ReadFit(folder / "fit.json").cut);
   ASSERT_TRUE(std::filesystem::exists(options.checkpoint));
-  options.max_seconds = 1e6;
   options.resume = true;
+  const auto cut_again = Train(options, Images());
+  EXPECT_TRUE(cut_again.cut);
+  EXPECT_EQ(cut_again.fit.parameters, cut.fit.parameters);
+  options.max_seconds = 1e6;
   const auto resumed = Train(options, Images());
   EXPECT_FALSE(resumed.cut);
   EXPECT_EQ(resumed.fit.parameters, whole.fit.parameters);
