@@ -290,7 +290,7 @@ TEST_P(FloatEnvironmentOfPasses, SameBitsWhateverTheCallers) {
     }
   };
   check(true);
-  ForEachTarget([&] { check(false); });
+  check(false);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, FloatEnvironmentOfPasses, testing::ValuesIn(kPixelFormats),
@@ -302,28 +302,26 @@ TEST(FloatEnvironment, WarpsFlushSubnormalsAndCopiesKeepThem) {
   TestImage history(kWidth, kHeight, PixelFormat::kRgba32F);
   history.Fill(kSubnormal);
   const WarpOptions options;
-  ForEachTarget([&] {
-    for (const bool reference : {false, true}) {
-      const auto warp = [&](const TestMotion& motion, TestImage& out) {
-        if (reference) {
-          WarpReference(history.history(), motion.view(), options, out.view());
-        } else {
-          Warp(history.history(), motion.view(), options, out.view());
-        }
-      };
-      TestImage flushed(kWidth, kHeight, PixelFormat::kRgba32F), copied = flushed;
-      warp(TestMotion(kWidth, kHeight, 0.5f, 0.25f), flushed);
-      warp(TestMotion(kWidth, kHeight, 3, -2), copied);
-      for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
-          for (int c = 0; c < 4; ++c) {
-            ASSERT_EQ(flushed.Get(x, y, c), 0);
-            ASSERT_EQ(copied.Get(x, y, c), kSubnormal);
-          }
+  for (const bool reference : {false, true}) {
+    const auto warp = [&](const TestMotion& motion, TestImage& out) {
+      if (reference) {
+        WarpReference(history.history(), motion.view(), options, out.view());
+      } else {
+        Warp(history.history(), motion.view(), options, out.view());
+      }
+    };
+    TestImage flushed(kWidth, kHeight, PixelFormat::kRgba32F), copied = flushed;
+    warp(TestMotion(kWidth, kHeight, 0.5f, 0.25f), flushed);
+    warp(TestMotion(kWidth, kHeight, 3, -2), copied);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        for (int c = 0; c < 4; ++c) {
+          ASSERT_EQ(flushed.Get(x, y, c), 0);
+          ASSERT_EQ(copied.Get(x, y, c), kSubnormal);
         }
       }
     }
-  });
+  }
 }
 
 // Of halves every one counts, as a float that is not subnormal.
@@ -341,20 +339,18 @@ TEST(FloatEnvironment, SubnormalHalvesCount) {
   options.render_height = options.output_height = kHeight;
   options.history_format = PixelFormat::kRgba32F;
   SerialExecutor executor;
-  ForEachTarget([&] {
-    SuperResolution sr(options, executor);
-    TestImage out(kWidth, kHeight, PixelFormat::kRgba32F);
-    sr.Process({.color = color.history(), .depth = depth.history(), .motion = motion.view()},
-               out.view());
-    for (int x = 0; x < kWidth; ++x) {
-      ASSERT_EQ(out.Get(x, kHeight / 2, 1), static_cast<float>(x) * 0x1p-24f);
-    }
-    TestImage warped(kWidth, kHeight, PixelFormat::kRgba16F);
-    Warp(color.history(), TestMotion(kWidth, kHeight, 0, 0.5f).view(), {}, warped.view());
-    for (int x = 0; x < kWidth; ++x) {
-      ASSERT_EQ(warped.Get(x, kHeight / 2, 1), static_cast<float>(x) * 0x1p-24f);
-    }
-  });
+  SuperResolution sr(options, executor);
+  TestImage out(kWidth, kHeight, PixelFormat::kRgba32F);
+  sr.Process({.color = color.history(), .depth = depth.history(), .motion = motion.view()},
+             out.view());
+  for (int x = 0; x < kWidth; ++x) {
+    ASSERT_EQ(out.Get(x, kHeight / 2, 1), static_cast<float>(x) * 0x1p-24f);
+  }
+  TestImage warped(kWidth, kHeight, PixelFormat::kRgba16F);
+  Warp(color.history(), TestMotion(kWidth, kHeight, 0, 0.5f).view(), {}, warped.view());
+  for (int x = 0; x < kWidth; ++x) {
+    ASSERT_EQ(warped.Get(x, kHeight / 2, 1), static_cast<float>(x) * 0x1p-24f);
+  }
 }
 
 }  // namespace

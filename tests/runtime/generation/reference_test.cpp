@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "runtime/generation/row_kernels.h"
+#include "tests/image_difference.h"
 #include "tests/runtime/generation/generation_fixture.h"
 
 namespace warplut::generation {
@@ -9,20 +10,9 @@ namespace {
 
 constexpr int kSizes[][2] = {{1, 1}, {3, 3}, {2, 5}, {17, 9}, {64, 16}, {67, 35}, {131, 50}};
 
-// The largest difference of two images, in code values; where one is not finite both must be.
-float Difference(const TestImage& a, const TestImage& b) {
-  const float scale = a.format() == PixelFormat::kRgba8 ? 1 : 255;
-  float most = 0;
-  for (int y = 0; y < a.height(); ++y) {
-    for (int x = 0; x < a.width(); ++x) {
-      for (int c = 0; c < 4; ++c) {
-        const float va = a.Get(x, y, c), vb = b.Get(x, y, c);
-        EXPECT_TRUE(std::isfinite(va) && std::isfinite(vb)) << x << " " << y;
-        most = std::max(most, scale * std::abs(va - vb));
-      }
-    }
-  }
-  return most;
+// The largest difference of two images, in code values.
+double CodeDifference(const TestImage& a, const TestImage& b) {
+  return Compare(a.view(), b.view()).largest * 255 / ChannelScale(a.format());
 }
 
 std::vector<FrameGenerationOptions> Variants(const TestFrame& frame) {
@@ -43,54 +33,51 @@ std::vector<FrameGenerationOptions> Variants(const TestFrame& frame) {
 // Warps differ by their own bounds, which move a pixel's blend by as much, but with a hard
 // brightness gate.
 TEST(Reference, FastPassesAgree) {
-  ForEachTarget([] {
-    unsigned seed = 1;
-    for (const auto& [width, height] : kSizes) {
-      for (const PixelFormat format :
-           {PixelFormat::kRgba8, PixelFormat::kRgba16F, PixelFormat::kRgba32F}) {
-        const TestFrame frame0 = RandomFrame(width, height, format, ++seed);
-        const TestFrame frame1 = RandomFrame(width, height, format, ++seed);
-        const auto variants = Variants(frame0);
-        for (std::size_t v = 0; v < variants.size(); ++v) {
-          SCOPED_TRACE(testing::Message() << width << " x " << height << " " << Name(format)
-                                          << " variant " << v << " seed " << seed);
-          FrameGenerationOptions fast = variants[v], plain = variants[v];
-          fast.warp.filter = plain.warp.filter = Filter::kBilinear;
-          plain.reference = true;
-          for (const bool interpolates : {true, false}) {
-            const auto run = [&](const FrameGenerationOptions& options) {
-              return Generate(options, frame0.view(), frame1.view(), 0.3f, interpolates, format);
-            };
-            EXPECT_LE(Difference(run(fast), run(plain)), format == PixelFormat::kRgba8 ? 1 : 0.3f);
-          }
+  unsigned seed = 1;
+  for (const auto& [width, height] : kSizes) {
+    for (const PixelFormat format :
+         {PixelFormat::kRgba8, PixelFormat::kRgba16F, PixelFormat::kRgba32F}) {
+      const TestFrame frame0 = RandomFrame(width, height, format, ++seed);
+      const TestFrame frame1 = RandomFrame(width, height, format, ++seed);
+      const auto variants = Variants(frame0);
+      for (std::size_t v = 0; v < variants.size(); ++v) {
+        SCOPED_TRACE(testing::Message() << width << " x " << height << " " << Name(format)
+                                        << " variant " << v << " seed " << seed);
+        FrameGenerationOptions fast = variants[v], plain = variants[v];
+        fast.warp.filter = plain.warp.filter = Filter::kBilinear;
+        plain.reference = true;
+        for (const bool interpolates : {true, false}) {
+          const auto run = [&](const FrameGenerationOptions& options) {
+            return Generate(options, frame0.view(), frame1.view(), 0.3f, interpolates, format);
+          };
+          EXPECT_LE(CodeDifference(run(fast), run(plain)),
+                    format == PixelFormat::kRgba8 ? 1 : 0.3f);
         }
       }
     }
-  });
+  }
 }
 
 TEST(Reference, FastPassesAgreeWithTablesOfMoreTaps) {
-  ForEachTarget([] {
-    unsigned seed = 100;
-    for (const Footprint footprint : {Footprint::k24, Footprint::k36}) {
-      const Table table(MakeWideTable(TableFormat::kI16, footprint).view());
-      for (const auto& [width, height] : kSizes) {
-        const PixelFormat format = PixelFormat::kRgba32F;
-        const TestFrame frame0 = RandomFrame(width, height, format, ++seed);
-        const TestFrame frame1 = RandomFrame(width, height, format, ++seed);
-        for (const bool interpolates : {true, false}) {
-          const auto run = [&](bool reference) {
-            FrameGenerationOptions options = OptionsFor(frame0);
-            options.warp = {.filter = Filter::kLut, .table = &table};
-            options.reference = reference;
-            return Generate(options, frame0.view(), frame1.view(), 0.3f, interpolates, format);
-          };
-          EXPECT_LE(Difference(run(false), run(true)), 0.3f)
-              << TapCount(footprint) << " taps, " << width << " x " << height;
-        }
+  unsigned seed = 100;
+  for (const Footprint footprint : {Footprint::k24, Footprint::k36}) {
+    const Table table(MakeWideTable(TableFormat::kI16, footprint).view());
+    for (const auto& [width, height] : kSizes) {
+      const PixelFormat format = PixelFormat::kRgba32F;
+      const TestFrame frame0 = RandomFrame(width, height, format, ++seed);
+      const TestFrame frame1 = RandomFrame(width, height, format, ++seed);
+      for (const bool interpolates : {true, false}) {
+        const auto run = [&](bool reference) {
+          FrameGenerationOptions options = OptionsFor(frame0);
+          options.warp = {.filter = Filter::kLut, .table = &table};
+          options.reference = reference;
+          return Generate(options, frame0.view(), frame1.view(), 0.3f, interpolates, format);
+        };
+        EXPECT_LE(CodeDifference(run(false), run(true)), 0.3f)
+            << TapCount(footprint) << " taps, " << width << " x " << height;
       }
     }
-  });
+  }
 }
 
 struct Passes {
@@ -138,40 +125,38 @@ void ExpectSame(const std::vector<float>& a, const std::vector<float>& b) {
 }
 
 TEST(Reference, MotionIsTheSameToTheBit) {
-  ForEachTarget([] {
-    unsigned seed = 100;
-    for (const auto& [width, height] : kSizes) {
-      const TestFrame frame0 = RandomFrame(width, height, PixelFormat::kRgba8, ++seed);
-      const TestFrame frame1 = RandomFrame(width, height, PixelFormat::kRgba8, ++seed);
-      for (const FrameGenerationOptions& options : Variants(frame0)) {
-        for (const bool interpolates : {true, false}) {
-          SCOPED_TRACE(testing::Message() << width << " x " << height);
-          const GenerationJob job{options,
-                                  interpolates,
-                                  0.3f,
-                                  options.motion_model == MotionModel::kQuadratic,
-                                  frame0.depth.view(),
-                                  frame1.depth.view(),
-                                  frame0.motion.view(),
-                                  frame1.motion.view()};
-          const Passes fast = RunPasses(FastRowKernels(), job);
-          const Passes plain = RunPasses(ReferenceRowKernels(), job);
-          ExpectSame(fast.forward, plain.forward);
-          EXPECT_EQ(fast.keys, plain.keys);
-          EXPECT_EQ(fast.disoccluded, plain.disoccluded);
-          ExpectSame(fast.from0, plain.from0);
-          ExpectSame(fast.from1, plain.from1);
-          ExpectSame(fast.own0, plain.own0);
-          ExpectSame(fast.own1, plain.own1);
-          for (int y = 0; y < height; ++y) {
-            const RowRange f = fast.reach[static_cast<std::size_t>(y)];
-            const RowRange r = plain.reach[static_cast<std::size_t>(y)];
-            EXPECT_TRUE(r.first >= r.last || (f.first <= r.first && f.last >= r.last));
-          }
+  unsigned seed = 100;
+  for (const auto& [width, height] : kSizes) {
+    const TestFrame frame0 = RandomFrame(width, height, PixelFormat::kRgba8, ++seed);
+    const TestFrame frame1 = RandomFrame(width, height, PixelFormat::kRgba8, ++seed);
+    for (const FrameGenerationOptions& options : Variants(frame0)) {
+      for (const bool interpolates : {true, false}) {
+        SCOPED_TRACE(testing::Message() << width << " x " << height);
+        const GenerationJob job{options,
+                                interpolates,
+                                0.3f,
+                                options.motion_model == MotionModel::kQuadratic,
+                                frame0.depth.view(),
+                                frame1.depth.view(),
+                                frame0.motion.view(),
+                                frame1.motion.view()};
+        const Passes fast = RunPasses(FastRowKernels(), job);
+        const Passes plain = RunPasses(ReferenceRowKernels(), job);
+        ExpectSame(fast.forward, plain.forward);
+        EXPECT_EQ(fast.keys, plain.keys);
+        EXPECT_EQ(fast.disoccluded, plain.disoccluded);
+        ExpectSame(fast.from0, plain.from0);
+        ExpectSame(fast.from1, plain.from1);
+        ExpectSame(fast.own0, plain.own0);
+        ExpectSame(fast.own1, plain.own1);
+        for (int y = 0; y < height; ++y) {
+          const RowRange f = fast.reach[static_cast<std::size_t>(y)];
+          const RowRange r = plain.reach[static_cast<std::size_t>(y)];
+          EXPECT_TRUE(r.first >= r.last || (f.first <= r.first && f.last >= r.last));
         }
       }
     }
-  });
+  }
 }
 
 TEST(Reference, AnyThreadCountGivesTheSameBits) {

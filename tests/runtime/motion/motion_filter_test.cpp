@@ -10,6 +10,7 @@
 
 #include "runtime/gates.h"
 #include "runtime/image_buffer.h"
+#include "tests/image_difference.h"
 
 namespace warplut {
 namespace {
@@ -71,24 +72,6 @@ MotionBuffer Filtered(TestFrame& frame, const MotionFilterOptions& options = {},
   ThreadPool pool(threads);
   filter.Apply(frame.depth.view(), frame.motion.view(), pool, out.view());
   return out;
-}
-
-// The largest and the root of the mean square difference of components.
-struct Difference {
-  double largest = 0;
-  double rms = 0;
-};
-Difference Compare(const MotionView& a, const MotionView& b) {
-  Difference difference;
-  for (int y = 0; y < a.height; ++y) {
-    for (int i = 0; i < 2 * a.width; ++i) {
-      const double d = std::abs(a.Row(y)[i] - b.Row(y)[i]);
-      difference.largest = std::max(difference.largest, d);
-      difference.rms += d * d;
-    }
-  }
-  difference.rms = std::sqrt(difference.rms / (2.0 * a.width * a.height));
-  return difference;
 }
 
 bool SameBits(const MotionView& a, const MotionView& b) {
@@ -222,13 +205,8 @@ TEST(MotionFilter, MatchesTheReferenceAtAnySize) {
     MotionBuffer reference(width, height);
     MotionFilter::Reference(frame.depth.view(), frame.motion.view(), {}, reference.view());
     const MotionBuffer out = Filtered(frame);
-    int different = 0;  // on the limit, one may replace what the other keeps
-    for (int y = 0; y < height; ++y) {
-      for (int i = 0; i < 2 * width; ++i) {
-        different += std::abs(out.view().Row(y)[i] - reference.view().Row(y)[i]) > 1e-4f;
-      }
-    }
-    EXPECT_LE(different, width * height / 1000) << width << " x " << height;
+    // On the limit, one may replace what the other keeps.
+    EXPECT_LE(Compare(out.view(), reference.view(), 1e-4).share, 0.001) << width << " x " << height;
   }
 }
 

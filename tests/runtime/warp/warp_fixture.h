@@ -211,16 +211,4 @@ inline std::vector<TestFilter> TestFilters(const Table* table) {
   return filters;
 }
 
-// Runs `body` once on each instruction set that this processor and build have.
-template <class Body>
-void ForEachTarget(const Body& body) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    SCOPED_TRACE(hwy::TargetName(target));
-    ASSERT_STREQ(WarpTarget(), hwy::TargetName(target));
-    body();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-}
-
 }  // namespace warplut

@@ -45,15 +45,13 @@ TEST_P(WarpProperty, ZeroMotionIsACopy) {
   const TestMotion still(kWidth, kHeight);
   for (const TestFilter& filter : TestFilters(&table)) {
     SCOPED_TRACE(filter.name);
-    ForEachTarget([&] {
-      for (const bool general : {false, true}) {
-        WarpOptions options = filter.options;
-        options.general_only = general;
-        TestImage out(kWidth, kHeight, GetParam());
-        TestHistory(history, options).WarpTo(still.view(), options, out);
-        EXPECT_EQ(out, history);
-      }
-    });
+    for (const bool general : {false, true}) {
+      WarpOptions options = filter.options;
+      options.general_only = general;
+      TestImage out(kWidth, kHeight, GetParam());
+      TestHistory(history, options).WarpTo(still.view(), options, out);
+      EXPECT_EQ(out, history);
+    }
   }
 }
 
@@ -64,15 +62,13 @@ TEST_P(WarpProperty, StaticPixelsAmongMovingOnesAreCopied) {
   motion.Randomise(3, 4);
   for (int y = 0; y < kHeight; ++y) motion.Set(y, y, 0, 0);
   for (const TestFilter& filter : TestFilters(&table)) {
-    ForEachTarget([&] {
-      TestImage out(kWidth, kHeight, GetParam());
-      TestHistory(history, filter.options).WarpTo(motion.view(), filter.options, out);
-      for (int y = 0; y < kHeight; ++y) {
-        for (int c = 0; c < Channels(GetParam()); ++c) {
-          ASSERT_EQ(out.Get(y, y, c), history.Get(y, y, c)) << filter.name;
-        }
+    TestImage out(kWidth, kHeight, GetParam());
+    TestHistory(history, filter.options).WarpTo(motion.view(), filter.options, out);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int c = 0; c < Channels(GetParam()); ++c) {
+        ASSERT_EQ(out.Get(y, y, c), history.Get(y, y, c)) << filter.name;
       }
-    });
+    }
   }
 }
 
@@ -117,16 +113,14 @@ TEST_P(WarpProperty, FarOutsideTheBorderTexelRepeats) {
   TestImage history(kWidth, kHeight, GetParam());
   history.Randomise(1);
   for (const TestFilter& filter : TestFilters(&table)) {
-    ForEachTarget([&] {
-      for (const float far : {200.5f, 1e6f, 1e30f}) {
-        const TestMotion motion(kWidth, kHeight, far, -far);
-        TestImage out(kWidth, kHeight, GetParam());
-        TestHistory(history, filter.options).WarpTo(motion.view(), filter.options, out);
-        for (int c = 0; c < Channels(GetParam()); ++c) {
-          ASSERT_NEAR(out.Get(40, 11, c), history.Get(0, kHeight - 1, c), 1e-5f) << filter.name;
-        }
+    for (const float far : {200.5f, 1e6f, 1e30f}) {
+      const TestMotion motion(kWidth, kHeight, far, -far);
+      TestImage out(kWidth, kHeight, GetParam());
+      TestHistory(history, filter.options).WarpTo(motion.view(), filter.options, out);
+      for (int c = 0; c < Channels(GetParam()); ++c) {
+        ASSERT_NEAR(out.Get(40, 11, c), history.Get(0, kHeight - 1, c), 1e-5f) << filter.name;
       }
-    });
+    }
   }
 }
 
@@ -147,13 +141,11 @@ TEST_P(WarpProperty, PrefilteredPositionsAreMovedToTheOutermostCentres) {
         moved.Set(x, y, x % 2 == 0 ? x : x - (kWidth - 1), y == 0 ? 0 : 0.3f);
       }
     }
-    ForEachTarget([&] {
-      TestImage out(kWidth, kHeight, GetParam());
-      TestImage expected(kWidth, kHeight, GetParam());
-      read.WarpTo(far.view(), filter.options, out);
-      read.WarpTo(moved.view(), filter.options, expected);
-      EXPECT_EQ(out, expected);
-    });
+    TestImage out(kWidth, kHeight, GetParam());
+    TestImage expected(kWidth, kHeight, GetParam());
+    read.WarpTo(far.view(), filter.options, out);
+    read.WarpTo(moved.view(), filter.options, expected);
+    EXPECT_EQ(out, expected);
   }
 }
 
@@ -166,14 +158,12 @@ TEST_P(WarpProperty, WritesOnlyPixels) {
     for (const bool general : {false, true}) {
       WarpOptions options;
       options.general_only = general;
-      ForEachTarget([&] {
-        TestImage out(kWidth, kHeight, GetParam(), 64);
-        TestHistory(history, options).WarpTo(motion.view(), options, out);
-        for (int y = 0; y < kHeight; ++y) {
-          const std::byte* end = out.view().Row<std::byte>(y) + kWidth * BytesPerPixel(GetParam());
-          for (int i = 0; i < 64; ++i) ASSERT_EQ(end[i], std::byte{0xA5});
-        }
-      });
+      TestImage out(kWidth, kHeight, GetParam(), 64);
+      TestHistory(history, options).WarpTo(motion.view(), options, out);
+      for (int y = 0; y < kHeight; ++y) {
+        const std::byte* end = out.view().Row<std::byte>(y) + kWidth * BytesPerPixel(GetParam());
+        for (int i = 0; i < 64; ++i) ASSERT_EQ(end[i], std::byte{0xA5});
+      }
     }
   }
 }

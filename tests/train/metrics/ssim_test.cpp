@@ -43,46 +43,38 @@ TEST(Ssim, OfTwoConstantsIsTheLuminanceTerm) {
   EXPECT_NEAR(Ssim(View(b)).Mean(View(a)), expected, kSsimAccuracy);
 }
 
-TEST(Ssim, FastEqualsReferenceForEverySizeAndInstructionSet) {
-  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    for (const int width : {11, 12, 26, 27, 43, 70}) {
-      for (const int height : {11, 13, 29}) {
-        const Image y = NoiseImage(width, height, width + height);
-        for (const float amount : {0.02f, 0.5f}) {
-          const Image x = Disturbed(y, amount, 3);
-          EXPECT_NEAR(Ssim(View(y)).Mean(View(x)), SsimReference(View(x), View(y)), kSsimAccuracy)
-              << hwy::TargetName(target) << " " << width << " x " << height;
-        }
+TEST(Ssim, FastEqualsReferenceForEverySize) {
+  for (const int width : {11, 12, 26, 27, 43, 70}) {
+    for (const int height : {11, 13, 29}) {
+      const Image y = NoiseImage(width, height, width + height);
+      for (const float amount : {0.02f, 0.5f}) {
+        const Image x = Disturbed(y, amount, 3);
+        EXPECT_NEAR(Ssim(View(y)).Mean(View(x)), SsimReference(View(x), View(y)), kSsimAccuracy)
+            << width << " x " << height;
       }
     }
   }
-  hwy::SetSupportedTargetsForTest(0);
 }
 
 TEST(Ssim, GradientEqualsDifferencesOfTheReference) {
   const Image y = NoiseImage(37, 24, 8);
   Image x = Disturbed(y, 0.2f, 9);
   const int stride = 50;
-  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    std::vector<float> gradient(stride * 24, 1.0f);
-    const double value = Ssim(View(y)).MeanAndGradient(View(x), 1000.0f, gradient.data(), stride);
-    EXPECT_NEAR(value, SsimReference(View(x), View(y)), kSsimAccuracy);
-    for (const auto& [px, py] : {std::pair{0, 0}, {36, 23}, {18, 12}, {5, 20}, {30, 3}, {33, 11}}) {
-      const float saved = x.at(px, py);
-      const float h = 1e-3f;
-      x.at(px, py) = saved + h;
-      const double above = SsimReference(View(x), View(y));
-      x.at(px, py) = saved - h;
-      const double below = SsimReference(View(x), View(y));
-      x.at(px, py) = saved;
-      const double expected = 1000 * (above - below) / (2 * h);
-      EXPECT_NEAR(gradient[py * stride + px] - 1, expected, 2e-3 * std::abs(expected) + 2e-4)
-          << hwy::TargetName(target) << " " << px << " " << py;
-    }
+  std::vector<float> gradient(stride * 24, 1.0f);
+  const double value = Ssim(View(y)).MeanAndGradient(View(x), 1000.0f, gradient.data(), stride);
+  EXPECT_NEAR(value, SsimReference(View(x), View(y)), kSsimAccuracy);
+  for (const auto& [px, py] : {std::pair{0, 0}, {36, 23}, {18, 12}, {5, 20}, {30, 3}, {33, 11}}) {
+    const float saved = x.at(px, py);
+    const float h = 1e-3f;
+    x.at(px, py) = saved + h;
+    const double above = SsimReference(View(x), View(y));
+    x.at(px, py) = saved - h;
+    const double below = SsimReference(View(x), View(y));
+    x.at(px, py) = saved;
+    const double expected = 1000 * (above - below) / (2 * h);
+    EXPECT_NEAR(gradient[py * stride + px] - 1, expected, 2e-3 * std::abs(expected) + 2e-4)
+        << px << " " << py;
   }
-  hwy::SetSupportedTargetsForTest(0);
 }
 
 // Flat places, where variances are nothing but rounding, next to the exact image.
