@@ -5,14 +5,16 @@
 #include <cstring>
 
 #include "datasets/json_fields.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 
-void AddJsonOption(CLI::App& command, bool* json) {
-  command.add_flag("--json", *json, "Print JSON for programs instead of text for people");
+CommandOption AddJsonOption(Command command, bool* json) {
+  return command.AddFlag("--json", *json, "Print JSON for programs instead of text for people");
 }
 
 void Print(std::string_view text) {
+  if (!Ranks::World().IsRoot()) return;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0) {
     throw Error(std::string("standard output could not be written: ") + std::strerror(errno) + ".");

@@ -1,7 +1,6 @@
 // What the subcommands of `warplut` share: how they are registered, how they end, how they print.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -9,6 +8,7 @@
 #include <string_view>
 
 #include "datasets/error.h"
+#include "tools/command_line.h"
 
 namespace warplut {
 
@@ -30,31 +30,33 @@ using CommandRun = std::function<ExitCode()>;
 using Json = nlohmann::ordered_json;
 
 // Adds one subcommand to `app`. Parsing it sets `*run`, which must outlive `app`, to what it does.
-using CommandAdder = void (*)(CLI::App& app, CommandRun* run);
+using CommandAdder = void (*)(Command app, CommandRun* run);
 
-void AddDatasetCommand(CLI::App& app, CommandRun* run);
-void AddTrainCommand(CLI::App& app, CommandRun* run);
-void AddBakeCommand(CLI::App& app, CommandRun* run);
-void AddEvalCommand(CLI::App& app, CommandRun* run);
-void AddCalibrateCommand(CLI::App& app, CommandRun* run);
-void AddCrossCommand(CLI::App& app, CommandRun* run);
-void AddProfileCommand(CLI::App& app, CommandRun* run);
-void AddReportCommand(CLI::App& app, CommandRun* run);
-void AddRunCommand(CLI::App& app, CommandRun* run);
-void AddStabilityCommand(CLI::App& app, CommandRun* run);
-void AddCompareCommand(CLI::App& app, CommandRun* run);
-void AddBenchCommand(CLI::App& app, CommandRun* run);
+void AddDatasetCommand(Command app, CommandRun* run);
+void AddTrainCommand(Command app, CommandRun* run);
+void AddBakeCommand(Command app, CommandRun* run);
+void AddEvalCommand(Command app, CommandRun* run);
+void AddJudgeCommand(Command app, CommandRun* run);
+void AddCalibrateCommand(Command app, CommandRun* run);
+void AddCrossCommand(Command app, CommandRun* run);
+void AddProfileCommand(Command app, CommandRun* run);
+void AddReportCommand(Command app, CommandRun* run);
+void AddRunCommand(Command app, CommandRun* run);
+void AddStabilityCommand(Command app, CommandRun* run);
+void AddCompareCommand(Command app, CommandRun* run);
+void AddBenchCommand(Command app, CommandRun* run);
 
 // The subcommands in the order of the data flow.
 inline constexpr CommandAdder kCommands[] = {
-    AddDatasetCommand, AddTrainCommand,     AddBakeCommand,    AddEvalCommand,
-    AddCrossCommand,   AddCalibrateCommand, AddProfileCommand, AddRunCommand,
-    AddCompareCommand, AddBenchCommand,     AddReportCommand,  AddStabilityCommand};
+    AddDatasetCommand, AddTrainCommand,     AddBakeCommand,     AddEvalCommand, AddCrossCommand,
+    AddJudgeCommand,   AddCalibrateCommand, AddProfileCommand,  AddRunCommand,  AddCompareCommand,
+    AddBenchCommand,   AddReportCommand,    AddStabilityCommand};
 
-// Adds the option `--json` that every command has.
-void AddJsonOption(CLI::App& command, bool* json);
+// Adds and returns the option `--json` that every command has.
+CommandOption AddJsonOption(Command command, bool* json);
 
-// Writes to standard output; an Error if that fails (a full disk, for example).
+// Writes to standard output, from the root of the ranks; an Error if that fails (a full disk, for
+// example).
 void Print(std::string_view text);
 
 // Writes a JSON document and a newline to standard output.

@@ -85,21 +85,21 @@ ExitCode RunBake(const BakeArguments& arguments) {
 
 }  // namespace
 
-void AddBakeCommand(CLI::App& app, CommandRun* run) {
+void AddBakeCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<BakeArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.AddCommand(
       "bake", "Write a fit as NAME.h, NAME.json, NAME.exr and NAME.png, with its certificate");
-  command->add_option("fit", arguments->fit, "Fit to bake (JSON)")->required();
-  command->add_option("--out", arguments->out, "Folder for the files")->required();
-  command->add_option("--format", arguments->format, "Storage format of the weights")
-      ->check(CLI::IsMember(TableFormatNames()))
-      ->capture_default_str();
+  command.Add("fit", arguments->fit, "Fit to bake (JSON)").Required();
+  command.Add("--out", arguments->out, "Folder for the files").Required();
+  command.Add("--format", arguments->format, "Storage format of the weights")
+      .OneOf(TableFormatNames())
+      .ShowDefault();
   command
-      ->add_option("--blend", arguments->blend,
-                   "Share of the current frame in the loop that the certificate judges")
-      ->capture_default_str();
-  AddJsonOption(*command, &arguments->json);
-  command->callback([arguments, run] { *run = [arguments] { return RunBake(*arguments); }; });
+      .Add("--blend", arguments->blend,
+           "Share of the current frame in the loop that the certificate judges")
+      .ShowDefault();
+  AddJsonOption(command, &arguments->json);
+  command.OnParsed([arguments, run] { *run = [arguments] { return RunBake(*arguments); }; });
 }
 
 }  // namespace warplut

@@ -140,78 +140,69 @@ ExitCode RunBenchGeneration(const GenerationBenchmarkOptions& options, bool json
   return met ? ExitCode::kDone : ExitCode::kMissed;
 }
 
-void AddBenchGeneration(CLI::App& bench, CommandRun* run) {
+void AddBenchGeneration(Command bench, CommandRun* run) {
   const auto options = std::make_shared<GenerationBenchmarkOptions>();
   const auto json = std::make_shared<bool>(false);
-  CLI::App* command = bench.add_subcommand(
+  Command command = bench.AddCommand(
       "generation",
       "Time frame generation against one warp, on one thread; each result is checked first");
-  command->add_option("--repeats", options->repeats, "Number of timed frames in each row")
-      ->capture_default_str();
-  AddJsonOption(*command, json.get());
-  command->callback([options, json, run] {
+  command.Add("--repeats", options->repeats, "Number of timed frames in each row").ShowDefault();
+  AddJsonOption(command, json.get());
+  command.OnParsed([options, json, run] {
     *run = [options, json] { return RunBenchGeneration(*options, *json); };
   });
 }
 
-void AddBenchSr(CLI::App& bench, CommandRun* run) {
+void AddBenchSr(Command bench, CommandRun* run) {
   const auto options = std::make_shared<SrBenchmarkOptions>();
   const auto json = std::make_shared<bool>(false);
-  CLI::App* command = bench.add_subcommand(
+  Command command = bench.AddCommand(
       "sr",
       "Time super resolution against the warp of its history, on one thread; each result is "
       "checked first");
-  command->add_option("--scale", options->scale, "Upscale factor, output / render")
-      ->capture_default_str();
-  command->add_option("--repeats", options->repeats, "Number of timed frames in each row")
-      ->capture_default_str();
-  AddJsonOption(*command, json.get());
-  command->callback(
+  command.Add("--scale", options->scale, "Upscale factor, output / render").ShowDefault();
+  command.Add("--repeats", options->repeats, "Number of timed frames in each row").ShowDefault();
+  AddJsonOption(command, json.get());
+  command.OnParsed(
       [options, json, run] { *run = [options, json] { return RunBenchSr(*options, *json); }; });
 }
 
 }  // namespace
 
-void AddBenchCommand(CLI::App& app, CommandRun* run) {
-  CLI::App* bench = app.add_subcommand("bench", "Measure run time on this machine");
-  bench->require_subcommand(0, 1);
+void AddBenchCommand(Command app, CommandRun* run) {
+  Command bench = app.AddCommand("bench", "Measure run time on this machine");
   const auto arguments = std::make_shared<BenchArguments>();
   WarpBenchmarkOptions& options = arguments->options;
-  CLI::App* command = bench->add_subcommand(
+  Command command = bench.AddCommand(
       "warp",
       "Time the warp kernels against OpenCV's remap, on one thread; each result is checked first");
-  command->add_option("--width", options.width, "Width of the image in pixels")
-      ->capture_default_str();
-  command->add_option("--height", options.height, "Height of the image in pixels")
-      ->capture_default_str();
-  command->add_option("--repeats", options.repeats, "Number of timed runs of each call")
-      ->capture_default_str();
+  command.Add("--width", options.width, "Width of the image in pixels").ShowDefault();
+  command.Add("--height", options.height, "Height of the image in pixels").ShowDefault();
+  command.Add("--repeats", options.repeats, "Number of timed runs of each call").ShowDefault();
   std::vector<std::string> formats;
   for (const PixelFormat format : kPixelFormats) formats.emplace_back(Name(format));
   command
-      ->add_option("--formats", arguments->formats,
-                   "Pixel formats to time, separated by commas (default: all)")
-      ->delimiter(',')
-      ->check(CLI::IsMember(formats));
-  AddJsonOption(*command, &arguments->json);
-  command->callback([arguments, run] { *run = [arguments] { return RunBenchWarp(*arguments); }; });
+      .Add("--formats", arguments->formats,
+           "Pixel formats to time, separated by commas (default: all)")
+      .Separated()
+      .OneOf(formats);
+  AddJsonOption(command, &arguments->json);
+  command.OnParsed([arguments, run] { *run = [arguments] { return RunBenchWarp(*arguments); }; });
 
   const auto ssim = std::make_shared<BenchSsimArguments>();
-  command = bench->add_subcommand(
+  command = bench.AddCommand(
       "ssim", "Time the training's SSIM with gradient, on one thread; the result is checked first");
-  command->add_option("--width", ssim->width, "Width of the image in pixels")
-      ->check(CLI::Range(64, 1 << 14))
-      ->capture_default_str();
-  command->add_option("--height", ssim->height, "Height of the image in pixels")
-      ->check(CLI::Range(64, 1 << 14))
-      ->capture_default_str();
-  command->add_option("--repeats", ssim->repeats, "Number of timed runs")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  AddJsonOption(*command, &ssim->json);
-  command->callback([ssim, run] { *run = [ssim] { return RunBenchSsim(*ssim); }; });
-  AddBenchGeneration(*bench, run);
-  AddBenchSr(*bench, run);
+  command.Add("--width", ssim->width, "Width of the image in pixels")
+      .Within(64, 1 << 14)
+      .ShowDefault();
+  command.Add("--height", ssim->height, "Height of the image in pixels")
+      .Within(64, 1 << 14)
+      .ShowDefault();
+  command.Add("--repeats", ssim->repeats, "Number of timed runs").Within(1, 10000).ShowDefault();
+  AddJsonOption(command, &ssim->json);
+  command.OnParsed([ssim, run] { *run = [ssim] { return RunBenchSsim(*ssim); }; });
+  AddBenchGeneration(bench, run);
+  AddBenchSr(bench, run);
 }
 
 }  // namespace warplut

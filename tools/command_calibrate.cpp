@@ -18,6 +18,7 @@
 #include "tools/warning.h"
 #include "train/calibration/clip_crop.h"
 #include "train/calibration/clip_loss.h"
+#include "train/ranks/ranks.h"
 #include "train/replay/judged_frames.h"
 #include "train/replay/parameters_file.h"
 
@@ -118,10 +119,13 @@ std::vector<Part> PartsOf(const CalibrateArguments& arguments, const Pipeline& p
   return parts;
 }
 
-// The runs of one part: super resolution on all frames, what generates on one in `every`.
+// The runs of one part: super resolution on all frames, what generates on one in `every`. Its owner
+// alone loads the clip.
 std::vector<ClipRun> RunsOf(const CalibrateArguments& arguments, const Pipeline& pipeline,
-                            const std::vector<const MethodInfo*>& methods, const Part& part) {
+                            const std::vector<const MethodInfo*>& methods, const Part& part,
+                            int owner) {
   std::vector<ClipRun> runs;
+  const bool own = owner == Ranks::World().rank();
   std::vector<const Clip*> clips;
   for (const bool generates : {false, true}) {
     const int every = generates ? arguments.every : 1;
@@ -130,21 +134,45 @@ std::vector<ClipRun> RunsOf(const CalibrateArguments& arguments, const Pipeline&
       if ((method->generation != Generation::kNone) == generates) same.push_back(method);
     }
     if (same.empty()) continue;
-    Streams judging = Streams::kNone;
-    for (const MethodInfo* method : same) {
-      judging = judging | JudgingStreams(*method, AvailableStreams(part.sequence));
+    std::shared_ptr<const Clip> clip;
+    if (own) {
+      Streams judging = Streams::kNone;
+      for (const MethodInfo* method : same) {
+        judging = judging | JudgingStreams(*method, AvailableStreams(part.sequence));
+      }
+      clip = std::make_shared<const Clip>(
+          CropClip(pipeline.Load(part.sequence, part.range, same,
+                                 judging & (Streams::kReference | Streams::kColor), every),
+                   arguments.max_pixels));
+      clips.push_back(clip.get());
     }
-    const auto clip = std::make_shared<const Clip>(
-        CropClip(pipeline.Load(part.sequence, part.range, same,
-                               judging & (Streams::kReference | Streams::kColor), every),
-                 arguments.max_pixels));
     for (const MethodInfo* method : same) {
-      runs.push_back({.clip = clip, .options = pipeline.Options(*method, every)});
+      runs.push_back({.clip = clip,
+                      .options = pipeline.Options(*method, every),
+                      .name = part.sequence.name,
+                      .owner = owner});
     }
-    clips.push_back(clip.get());
   }
   WarnOfLimitedColor(clips);
   return runs;
+}
+
+// The rank that runs each part: those that are fitted and those that are held out are shared apart.
+std::vector<int> OwnersOf(const std::vector<Part>& parts) {
+  std::vector<int> owners(parts.size());
+  for (const bool held_out : {false, true}) {
+    std::vector<std::size_t> indices;
+    std::vector<double> work;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].held_out != held_out) continue;
+      const GridSize& output = parts[i].sequence.output;
+      indices.push_back(i);
+      work.push_back(static_cast<double>(parts[i].range.count) * output.width * output.height);
+    }
+    const std::vector<int> balanced = BalancedOwners(work, Ranks::World().count());
+    for (std::size_t k = 0; k < indices.size(); ++k) owners[indices[k]] = balanced[k];
+  }
+  return owners;
 }
 
 // The clips' runs, apart: those that are fitted and those that are held out.
@@ -155,10 +183,12 @@ struct Split {
 Split LoadParts(const CalibrateArguments& arguments, const Pipeline& pipeline,
                 const std::vector<const MethodInfo*>& methods, const std::vector<Part>& parts) {
   Split split;
+  const std::vector<int> owners = OwnersOf(parts);
   Progress progress("loading", static_cast<double>(parts.size()), "clips");
-  for (const Part& part : parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
     ThrowIfInterrupted("calibrate", "nothing was written");
-    std::vector<ClipRun> runs = RunsOf(arguments, pipeline, methods, part);
+    const Part& part = parts[i];
+    std::vector<ClipRun> runs = RunsOf(arguments, pipeline, methods, part, owners[i]);
     auto& to = part.held_out ? split.held_out : split.fitted;
     to.insert(to.end(), runs.begin(), runs.end());
     progress.Add(1);
@@ -166,7 +196,7 @@ Split LoadParts(const CalibrateArguments& arguments, const Pipeline& pipeline,
   return split;
 }
 
-// What the losses hang on, beside the files' contents.
+// What the losses depend on, beside the files' contents.
 std::string DataText(const CalibrateArguments& arguments, const Pipeline& pipeline,
                      const std::vector<Part>& parts) {
   std::string text =
@@ -188,7 +218,7 @@ void AddScores(const std::vector<ClipRun>& runs, bool held_out, const Parameters
   const std::vector<double> at_base = loss.MeanSsim(base);
   const std::vector<double> at_paper = loss.MeanSsim(kPaperParameters);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    report.scores.push_back({.clip = runs[i].clip->name,
+    report.scores.push_back({.clip = runs[i].name,
                              .mode = runs[i].options.method->name,
                              .held_out = held_out,
                              .calibrated = at_calibrated[i],
@@ -236,13 +266,17 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
   CalibrationOptions options = OptionsOf(arguments, methods);
   const ThreadLimit limit(arguments.pipeline.threads);
   const std::filesystem::path out = arguments.out;
-  RequireWritable(out);
-  RequireWritable(options.checkpoint);
+  Ranks& ranks = Ranks::World();
+  if (ranks.IsRoot()) {
+    RequireWritable(out);
+    RequireWritable(options.checkpoint);
+  }
 
   const Pipeline pipeline(arguments.pipeline);
   const std::vector<Part> parts = PartsOf(arguments, pipeline, methods);
   const Split split = LoadParts(arguments, pipeline, methods, parts);
   options.data = DataText(arguments, pipeline, parts);
+  ranks.RequireSame("the options or the sequences", options.Identity());
   ThreadPool pool(arguments.pipeline.threads);
   if (!split.held_out.empty())
     ClipLoss(split.held_out, pool);  // an Error now rather than at the end
@@ -254,7 +288,7 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
                            .seed = arguments.seed,
                            .result = {},
                            .scores = {}};
-  if (out.has_parent_path()) CreateFolder(out.parent_path());
+  if (ranks.IsRoot() && out.has_parent_path()) CreateFolder(out.parent_path());
   {
     ClipLoss loss(split.fitted, pool);
     report.result = Search(options, loss);
@@ -267,6 +301,7 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
   const Parameters& kept = report.result.kept.parameters;
   AddScores(split.fitted, false, kept, options.base, pool, report);
   AddScores(split.held_out, true, kept, options.base, pool, report);
+  if (!ranks.IsRoot()) return ExitCode::kDone;
   const Json json = ToJson(report);
   WriteFile(out, ParametersJson(kept, JsonText(json)));
   if (report.result.stop == RunLog::Stop::kNone) std::filesystem::remove(options.checkpoint);
@@ -281,66 +316,60 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
 
 }  // namespace
 
-void AddCalibrateCommand(CLI::App& app, CommandRun* run) {
+void AddCalibrateCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<CalibrateArguments>();
   CalibrateArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand(
+  Command command = app.AddCommand(
       "calibrate", "Fit the parameters of the pipeline to clips and write PARAMS.json");
-  command->add_option("--sequence", a.sequences, "Sequences to fit, with references")->required();
-  command->add_option("--modes", a.modes, "Methods to fit the parameters to, with equal weight")
-      ->delimiter(',')
-      ->capture_default_str();
+  command.Add("--sequence", a.sequences, "Sequences to fit, with references").Required();
+  command.Add("--modes", a.modes, "Methods to fit the parameters to, with equal weight")
+      .Separated()
+      .ShowDefault();
   command
-      ->add_option("--out", a.out,
-                   "Parameters to write; PARAMS.json.checkpoint stands next to them meanwhile")
-      ->required();
-  CLI::Option* hold_out =
-      command->add_option("--hold-out", a.hold_out, "Names of sequences to judge by, not to fit")
-          ->delimiter(',');
+      .Add("--out", a.out,
+           "Parameters to write; PARAMS.json.checkpoint stands next to them meanwhile")
+      .Required();
+  CommandOption hold_out =
+      command.Add("--hold-out", a.hold_out, "Names of sequences to judge by, not to fit")
+          .Separated();
   command
-      ->add_flag("--split-frames", a.split_frames,
-                 "Fit the first half of each clip and judge by the second")
-      ->excludes(hold_out);
+      .AddFlag("--split-frames", a.split_frames,
+               "Fit the first half of each clip and judge by the second")
+      .Excludes(hold_out);
+  command.Add("--fit", a.fit, "Names of parameters to fit (default: all that the modes read)")
+      .Separated();
   command
-      ->add_option("--fit", a.fit, "Names of parameters to fit (default: all that the modes read)")
-      ->delimiter(',');
+      .Add("--keep", a.keep,
+           "Point to keep: near (as near to the defaults as the clips allow) or optimum (the "
+           "optimum of these clips)")
+      .OneOf({"near", "optimum"})
+      .ShowDefault();
   command
-      ->add_option(
-          "--keep", a.keep,
-          "Point to keep: near (as near to the defaults as the clips allow) or optimum (the "
-          "optimum of these clips)")
-      ->check(CLI::IsMember({"near", "optimum"}))
-      ->capture_default_str();
+      .Add("--starts", a.starts,
+           "Number of random starts, besides the defaults and the paper's constants")
+      .Within(0, 1000)
+      .ShowDefault();
+  command.Add("--seed", a.seed, "Seed of the random starts").ShowDefault();
+  command.Add("--max-seconds", a.max_seconds, "Time limit of the search in seconds (default: none)")
+      .NotNegative();
+  command.Add("--every", a.every, "Render every N-th frame, in modes that generate")
+      .Within(2, 64)
+      .ShowDefault();
   command
-      ->add_option("--starts", a.starts,
-                   "Number of random starts, besides the defaults and the paper's constants")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
-  command->add_option("--seed", a.seed, "Seed of the random starts")->capture_default_str();
+      .Add("--max-pixels", a.max_pixels,
+           "Number of output pixels to fit, in the middle of each frame (default: all; 500000 "
+           "are quick)")
+      .Within(1, std::numeric_limits<int>::max());
   command
-      ->add_option("--max-seconds", a.max_seconds,
-                   "Time limit of the search in seconds (default: none)")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--every", a.every, "Render every N-th frame, in modes that generate")
-      ->check(CLI::Range(2, 64))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--max-pixels", a.max_pixels,
-          "Number of output pixels to fit, in the middle of each frame (default: all; 500000 "
-          "are quick)")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command
-      ->add_option("--max-frames", a.max_frames,
-                   "Number of frames to fit, from the first of each clip (default: all)")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command->add_flag("--resume", a.resume,
-                    "Continue an interrupted calibration from its checkpoint");
-  AddTableOptions(*command, &a.pipeline);
-  AddPipelineOptions(*command, &a.pipeline);
-  AddJsonOption(*command, &a.json);
-  command->callback([arguments, run, command] {
-    arguments->generated_given = command->count("--generated") > 0 || command->count("--alpha") > 0;
+      .Add("--max-frames", a.max_frames,
+           "Number of frames to fit, from the first of each clip (default: all)")
+      .Within(1, std::numeric_limits<int>::max());
+  command.AddFlag("--resume", a.resume, "Continue an interrupted calibration from its checkpoint");
+  AddTableOptions(command, &a.pipeline);
+  AddPipelineOptions(command, &a.pipeline);
+  AddJsonOption(command, &a.json);
+  command.OnParsed([arguments, run, command] {
+    arguments->generated_given = command.Given("--generated") || command.Given("--alpha");
     *run = [arguments] { return RunCalibrate(*arguments); };
   });
 }

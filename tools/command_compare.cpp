@@ -86,23 +86,22 @@ ExitCode Compare(const CompareOptions& options) {
 
 }  // namespace
 
-void AddCompareCommand(CLI::App& app, CommandRun* run) {
+void AddCompareCommand(Command app, CommandRun* run) {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App* command =
-      app.add_subcommand("compare", "Compare two folders of frames by PSNR (RGB) and SSIM (luma)");
-  command->add_option("dir_a", options->a, "Images, a folder of images, or a sequence")->required();
-  command->add_option("dir_b", options->b, "Images to compare with, by the same file names")
-      ->required();
-  command->add_option("--border", options->border, "Number of pixels to cut at each edge")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str();
-  command->add_flag("--linear", options->linear,
-                    "Compare linear HDR files as displayed, as run --score does (a "
-                    "sequence with linear colour says so itself)");
-  command->add_option("--min-psnr", options->min_psnr, "Least mean PSNR in dB, as a target");
-  command->add_option("--min-ssim", options->min_ssim, "Least mean SSIM, as a target");
-  AddJsonOption(*command, &options->json);
-  command->callback([options, run] { *run = [options] { return Compare(*options); }; });
+  Command command =
+      app.AddCommand("compare", "Compare two folders of frames by PSNR (RGB) and SSIM (luma)");
+  command.Add("dir_a", options->a, "Images, a folder of images, or a sequence").Required();
+  command.Add("dir_b", options->b, "Images to compare with, by the same file names").Required();
+  command.Add("--border", options->border, "Number of pixels to cut at each edge")
+      .Within(0, 4096)
+      .ShowDefault();
+  command.AddFlag("--linear", options->linear,
+                  "Compare linear HDR files as displayed, as run --score does (a "
+                  "sequence with linear colour says so itself)");
+  command.Add("--min-psnr", options->min_psnr, "Least mean PSNR in dB, as a target");
+  command.Add("--min-ssim", options->min_ssim, "Least mean SSIM, as a target");
+  AddJsonOption(command, &options->json);
+  command.OnParsed([options, run] { *run = [options] { return Compare(*options); }; });
 }
 
 }  // namespace warplut

@@ -133,36 +133,33 @@ ExitCode RunCross(CrossArguments arguments) {
 
 }  // namespace
 
-void AddCrossCommand(CLI::App& app, CommandRun* run) {
+void AddCrossCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<CrossArguments>();
   CrossArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand(
+  Command command = app.AddCommand(
       "cross", "Judge tables in the loop of super resolution, across upscale factors");
+  command.Add("--images", a.images, "Images, folders of images, or sequences (their references)")
+      .Required();
   command
-      ->add_option("--images", a.images,
-                   "Images, folders of images, or sequences (their references)")
-      ->required();
-  command
-      ->add_option("--luts", a.luts,
-                   "Tables to judge: fits, baked tables (.json), or .exr in the released layout")
-      ->required();
-  command->add_option("--scales", a.scales, "Upscale factors to judge at, in [1, 4]")
-      ->delimiter(',')
-      ->capture_default_str();
-  command->add_option("--blend-a", a.options.blend_a,
-                      "Share of a sample on the pixel centre (default: that of the pipeline)");
-  command->add_option("--blend-b", a.options.blend_b,
-                      "Decrease of that share with the distance (default: that of the pipeline)");
-  command->add_option("--pan-share", a.options.pan_share,
-                      "Share of pans in the loss, in [0, 1) (default: that of the trainer)");
-  command->add_option("--crops", a.options.crops,
-                      "Number of crops to judge by (default: that of the trainer)");
-  command->add_option("--seed", a.options.seed, "Seed of crops and trajectories")
-      ->capture_default_str();
-  command->add_option("--threads", a.options.threads, "Number of threads (default: all cores)");
-  command->add_flag("--markdown", a.markdown, "Print Markdown tables");
-  AddJsonOption(*command, &a.json);
-  command->callback([arguments, run] { *run = [arguments] { return RunCross(*arguments); }; });
+      .Add("--luts", a.luts,
+           "Tables to judge: fits, baked tables (.json), or .exr in the released layout")
+      .Required();
+  command.Add("--scales", a.scales, "Upscale factors to judge at, in [1, 4]")
+      .Separated()
+      .ShowDefault();
+  command.Add("--blend-a", a.options.blend_a,
+              "Share of a sample on the pixel centre (default: that of the pipeline)");
+  command.Add("--blend-b", a.options.blend_b,
+              "Decrease of that share with the distance (default: that of the pipeline)");
+  command.Add("--pan-share", a.options.pan_share,
+              "Share of pans in the loss, in [0, 1) (default: that of the trainer)");
+  command.Add("--crops", a.options.crops,
+              "Number of crops to judge by (default: that of the trainer)");
+  command.Add("--seed", a.options.seed, "Seed of crops and trajectories").ShowDefault();
+  command.Add("--threads", a.options.threads, "Number of threads (default: all cores)");
+  command.AddFlag("--markdown", a.markdown, "Print Markdown tables");
+  AddJsonOption(command, &a.json);
+  command.OnParsed([arguments, run] { *run = [arguments] { return RunCross(*arguments); }; });
 }
 
 }  // namespace warplut

@@ -143,61 +143,50 @@ ExitCode RunInspect(const std::string& path, bool json) {
   return ExitCode::kDone;
 }
 
-void AddRender(CLI::App& dataset, CommandRun* run) {
+void AddRender(Command dataset, CommandRun* run) {
   const auto arguments = std::make_shared<RenderArguments>();
   RenderOptions& options = arguments->options;
-  CLI::App* command =
-      dataset.add_subcommand("render", "Render built-in scenes into sequences, OUT/SCENE");
+  Command command =
+      dataset.AddCommand("render", "Render built-in scenes into sequences, OUT/SCENE");
+  command.Add("scene", arguments->selection, "Scenes to render: a name, or training, held-out, all")
+      .Required();
+  command.Add("--out", arguments->out, "Folder for the sequences").Required();
+  command.Add("--width", options.width, "Width of the output grid in pixels").ShowDefault();
+  command.Add("--height", options.height, "Height of the output grid in pixels").ShowDefault();
+  command.Add("--scale", options.scale, "Upscale factor, output / render").ShowDefault();
+  command.Add("--frames", options.frames, "Number of frames to render").ShowDefault();
+  command.Add("--samples", options.samples, "Samples per pixel of the reference").ShowDefault();
+  command.Add("--seed", options.seed, "Seed of placement, textures and sample positions")
+      .ShowDefault();
+  command.AddFlag("--linear", options.linear,
+                  "Write linear HDR colour (.exr) instead of sRGB (.png)");
+  command.Add("--exposure", options.exposure, "Factor on the light, before the tone curve")
+      .ShowDefault();
+  command.Add("--threads", options.threads, "Number of threads (default: all cores)");
   command
-      ->add_option("scene", arguments->selection,
-                   "Scenes to render: a name, or training, held-out, all")
-      ->required();
-  command->add_option("--out", arguments->out, "Folder for the sequences")->required();
-  command->add_option("--width", options.width, "Width of the output grid in pixels")
-      ->capture_default_str();
-  command->add_option("--height", options.height, "Height of the output grid in pixels")
-      ->capture_default_str();
-  command->add_option("--scale", options.scale, "Upscale factor, output / render")
-      ->capture_default_str();
-  command->add_option("--frames", options.frames, "Number of frames to render")
-      ->capture_default_str();
-  command->add_option("--samples", options.samples, "Samples per pixel of the reference")
-      ->capture_default_str();
-  command->add_option("--seed", options.seed, "Seed of placement, textures and sample positions")
-      ->capture_default_str();
-  command->add_flag("--linear", options.linear,
-                    "Write linear HDR colour (.exr) instead of sRGB (.png)");
-  command->add_option("--exposure", options.exposure, "Factor on the light, before the tone curve")
-      ->capture_default_str();
-  command->add_option("--threads", options.threads, "Number of threads (default: all cores)");
-  command
-      ->add_option("--streams", arguments->streams,
-                   "Streams to write, separated by commas (default: all)")
-      ->delimiter(',');
-  AddJsonOption(*command, &arguments->json);
-  command->callback([arguments, run] { *run = [arguments] { return RunRender(*arguments); }; });
+      .Add("--streams", arguments->streams, "Streams to write, separated by commas (default: all)")
+      .Separated();
+  AddJsonOption(command, &arguments->json);
+  command.OnParsed([arguments, run] { *run = [arguments] { return RunRender(*arguments); }; });
 }
 
 }  // namespace
 
-void AddDatasetCommand(CLI::App& app, CommandRun* run) {
-  CLI::App* dataset = app.add_subcommand("dataset", "Make and inspect sequences of frames");
-  dataset->require_subcommand(0, 1);
-  AddRender(*dataset, run);
+void AddDatasetCommand(Command app, CommandRun* run) {
+  Command dataset = app.AddCommand("dataset", "Make and inspect sequences of frames");
+  AddRender(dataset, run);
 
   const auto json = std::make_shared<bool>(false);
-  CLI::App* scenes = dataset->add_subcommand("scenes", "List the built-in scenes");
-  AddJsonOption(*scenes, json.get());
-  scenes->callback([json, run] { *run = [json] { return RunScenes(*json); }; });
+  Command scenes = dataset.AddCommand("scenes", "List the built-in scenes");
+  AddJsonOption(scenes, json.get());
+  scenes.OnParsed([json, run] { *run = [json] { return RunScenes(*json); }; });
 
   const auto path = std::make_shared<std::string>();
-  CLI::App* inspect =
-      dataset->add_subcommand("inspect", "Load every frame and report missing and damaged files");
-  inspect->add_option("sequence", *path, "Sequence to load: a sequence.json or its folder")
-      ->required();
-  AddJsonOption(*inspect, json.get());
-  inspect->callback(
-      [path, json, run] { *run = [path, json] { return RunInspect(*path, *json); }; });
+  Command inspect =
+      dataset.AddCommand("inspect", "Load every frame and report missing and damaged files");
+  inspect.Add("sequence", *path, "Sequence to load: a sequence.json or its folder").Required();
+  AddJsonOption(inspect, json.get());
+  inspect.OnParsed([path, json, run] { *run = [path, json] { return RunInspect(*path, *json); }; });
 }
 
 }  // namespace warplut

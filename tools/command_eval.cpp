@@ -10,7 +10,7 @@
 #include "datasets/image_io.h"
 #include "luts/bake/table_io.h"
 #include "tools/command.h"
-#include "tools/command_eval_sequence.h"
+#include "tools/command_judge.h"
 #include "tools/interrupt.h"
 #include "tools/judge/eval_report.h"
 #include "tools/judge/image_set.h"
@@ -40,7 +40,7 @@ struct EvalArguments {
   int trajectories = 3;
   int crop = 448;
   std::uint64_t seed = 1;
-  SequenceEvalArguments sequence;  // all that sequences take, and what images share with them
+  JudgeArguments sequence;  // all that sequences take, and what images share with them
 };
 
 std::vector<Protocol> Protocols(const EvalArguments& arguments) {
@@ -179,66 +179,63 @@ ExitCode RunImageEval(const EvalArguments& arguments) {
 }
 
 ExitCode RunEval(const EvalArguments& arguments) {
+  if (!arguments.sequence.sequences.empty()) return RunJudge(arguments.sequence);
   if (!arguments.sequence.pictures.empty()) RequireWritableFolder(arguments.sequence.pictures);
   const ThreadLimit limit(arguments.sequence.pipeline.threads);
-  return arguments.sequence.sequences.empty() ? RunImageEval(arguments)
-                                              : RunSequenceEval(arguments.sequence);
+  return RunImageEval(arguments);
 }
 
 }  // namespace
 
-void AddEvalCommand(CLI::App& app, CommandRun* run) {
+void AddEvalCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<EvalArguments>();
   EvalArguments& a = *arguments;
-  CLI::App* command =
-      app.add_subcommand("eval", "Judge a table by repeated warps, or methods on sequences");
-  CLI::Option* images = command->add_option(
-      "--images", a.images, "Images, folders of images, or sequences (their references)");
-  AddSequenceOptions(*command, &a.sequence)->excludes(images);
-  command->add_option("--warps", a.warps, "Numbers of warps to judge after")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 1 << 20))
-      ->capture_default_str();
+  Command command = app.AddCommand(
+      "eval", "Judge a table by repeated warps (or, as judge does, methods on sequences)");
+  CommandOption images = command.Add("--images", a.images,
+                                     "Images, folders of images, or sequences (their references)");
+  AddSequenceOptions(command, &a.sequence).Excludes(images);
+  command.Add("--warps", a.warps, "Numbers of warps to judge after")
+      .Separated()
+      .Within(1, 1 << 20)
+      .ShowDefault();
   command
-      ->add_option(
-          "--offsets", a.offsets,
-          "Kinds of offsets: half (by (1/2, 1/2) and back), random (back to the start), pan (one "
-          "and the same)")
-      ->delimiter(',')
-      ->check(CLI::IsMember({Name(Offsets::kHalf), Name(Offsets::kRandom), Name(Offsets::kPan)}))
-      ->capture_default_str();
+      .Add("--offsets", a.offsets,
+           "Kinds of offsets: half (by (1/2, 1/2) and back), random (back to the start), pan (one "
+           "and the same)")
+      .Separated()
+      .OneOf({Name(Offsets::kHalf), Name(Offsets::kRandom), Name(Offsets::kPan)})
+      .ShowDefault();
   command
-      ->add_option("--against", a.against,
-                   "Filters to compare with: best-keys, best-spline (the best A or K each time), "
-                   "kaiser6:B, lanczos3, " +
-                       WarpNames())
-      ->delimiter(',')
-      ->capture_default_str();
-  command->add_option("--format", a.format, "Storage format in which a fit or an .exr is judged")
-      ->check(CLI::IsMember(TableFormatNames()))
-      ->capture_default_str();
+      .Add("--against", a.against,
+           "Filters to compare with: best-keys, best-spline (the best A or K each time), "
+           "kaiser6:B, lanczos3, " +
+               WarpNames())
+      .Separated()
+      .ShowDefault();
+  command.Add("--format", a.format, "Storage format in which a fit or an .exr is judged")
+      .OneOf(TableFormatNames())
+      .ShowDefault();
+  command.Add("--trajectories", a.trajectories, "Number of random trajectories for each image")
+      .Within(1, 256)
+      .ShowDefault();
   command
-      ->add_option("--trajectories", a.trajectories, "Number of random trajectories for each image")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command
-      ->add_option("--crop", a.crop,
-                   "Side of the window in the middle of each image; 0 judges whole images")
-      ->check(CLI::Range(0, 1 << 15))
-      ->capture_default_str();
-  command->add_option("--seed", a.seed, "Seed of the random trajectories")->capture_default_str();
-  command->add_option("--target", a.sequence.targets,
-                      std::string("Targets for the SSIM, more than MARGIN above FILTER's: ") +
-                          kScoreTargetForm +
-                          "; on sequences the least values of a method: METHOD,PSNR,SSIM");
-  command->add_option("--pictures", a.sequence.pictures,
-                      "Folder for pictures: original, Catmull-Rom and the table after 24 warps; on "
-                      "sequences the windows where the first method errs most");
-  CLI::Option* markdown =
-      command->add_flag("--markdown", a.sequence.markdown, "Print the table as Markdown");
-  AddJsonOption(*command, &a.sequence.json);
-  markdown->excludes("--json");
-  command->callback([arguments, run] { *run = [arguments] { return RunEval(*arguments); }; });
+      .Add("--crop", a.crop,
+           "Side of the window in the middle of each image; 0 judges whole images")
+      .Within(0, 1 << 15)
+      .ShowDefault();
+  command.Add("--seed", a.seed, "Seed of the random trajectories").ShowDefault();
+  command.Add("--target", a.sequence.targets,
+              std::string("Targets for the SSIM, more than MARGIN above FILTER's: ") +
+                  kScoreTargetForm +
+                  "; on sequences the least values of a method: METHOD,PSNR,SSIM");
+  command.Add("--pictures", a.sequence.pictures,
+              "Folder for pictures: original, Catmull-Rom and the table after 24 warps; on "
+              "sequences the windows where the first method errs most");
+  CommandOption markdown =
+      command.AddFlag("--markdown", a.sequence.markdown, "Print the table as Markdown");
+  markdown.Excludes(AddJsonOption(command, &a.sequence.json));
+  command.OnParsed([arguments, run] { *run = [arguments] { return RunEval(*arguments); }; });
 }
 
 }  // namespace warplut

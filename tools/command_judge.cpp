@@ -1,15 +1,18 @@
-#include "tools/command_eval_sequence.h"
+#include "tools/command_judge.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
+#include "datasets/file.h"
 #include "tools/interrupt.h"
 #include "tools/judge/sequence_report.h"
 #include "tools/pipeline_options.h"
 #include "tools/progress.h"
 #include "tools/sequence_pictures.h"
+#include "tools/thread_limit.h"
 #include "tools/warning.h"
 #include "train/replay/judged_frames.h"
 
@@ -61,7 +64,7 @@ struct LoadedSequence {
   }
 };
 
-LoadedSequence LoadSequence(const SequenceEvalArguments& arguments, const Pipeline& pipeline,
+LoadedSequence LoadSequence(const JudgeArguments& arguments, const Pipeline& pipeline,
                             const std::string& path, const MethodList& methods) {
   const Sequence sequence = ReadSequenceFor(pipeline, path, methods);
   const FrameRange range = ParseFrames(arguments.pipeline.frames, sequence);
@@ -84,9 +87,9 @@ LoadedSequence LoadSequence(const SequenceEvalArguments& arguments, const Pipeli
   return loaded;
 }
 
-class SequenceEval {
+class JudgeOfSequences {
  public:
-  SequenceEval(const SequenceEvalArguments& arguments, MethodList methods)
+  JudgeOfSequences(const JudgeArguments& arguments, MethodList methods)
       : arguments_(arguments),
         methods_(std::move(methods)),
         pipeline_(arguments.pipeline),
@@ -142,7 +145,7 @@ class SequenceEval {
     for (const std::string& line : pictures.Write(arguments_.pictures)) pictures_.push_back(line);
   }
 
-  const SequenceEvalArguments& arguments_;
+  const JudgeArguments& arguments_;
   const MethodList methods_;
   const Pipeline pipeline_;
   ThreadPool pool_;
@@ -155,7 +158,7 @@ struct CheckedArguments {
   std::vector<SequenceTarget> targets;
 };
 
-CheckedArguments Check(const SequenceEvalArguments& arguments) {
+CheckedArguments Check(const JudgeArguments& arguments) {
   CheckedArguments checked;
   checked.methods = JudgedMethods(arguments.modes);
   CheckArguments(arguments.pipeline);
@@ -172,32 +175,33 @@ CheckedArguments Check(const SequenceEvalArguments& arguments) {
 
 }  // namespace
 
-CLI::Option* AddSequenceOptions(CLI::App& eval, SequenceEvalArguments* arguments) {
-  SequenceEvalArguments& a = *arguments;
-  CLI::Option* sequence =
-      eval.add_option("--sequence", a.sequences,
-                      "Sequences with references to judge methods on, instead of images");
-  eval.add_option("--modes", a.modes,
-                  "Methods to judge ('run --help' lists them); baselines are added")
-      ->delimiter(',')
-      ->capture_default_str();
-  eval.add_option("--every", a.every, "Render every N-th frame, for methods that generate")
-      ->check(CLI::Range(2, 64))
-      ->capture_default_str();
-  eval.add_option("--border", a.border, "Number of pixels to cut at each edge, on sequences")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str();
-  AddSettledOption(eval, &a.settled)->needs(sequence);
+CommandOption AddSequenceOptions(Command eval, JudgeArguments* arguments) {
+  JudgeArguments& a = *arguments;
+  CommandOption sequence =
+      eval.Add("--sequence", a.sequences,
+               "Sequences with references to judge methods on, instead of images");
+  eval.Add("--modes", a.modes, "Methods to judge ('run --help' lists them); baselines are added")
+      .Separated()
+      .ShowDefault();
+  eval.Add("--every", a.every, "Render every N-th frame, for methods that generate")
+      .Within(2, 64)
+      .ShowDefault();
+  eval.Add("--border", a.border, "Number of pixels to cut at each edge, on sequences")
+      .Within(0, 4096)
+      .ShowDefault();
+  AddSettledOption(eval, &a.settled).Needs(sequence);
   AddTableOptions(eval, &a.pipeline);
   AddPipelineOptions(eval, &a.pipeline);
   return sequence;
 }
 
-ExitCode RunSequenceEval(const SequenceEvalArguments& arguments) {
+ExitCode RunJudge(const JudgeArguments& arguments) {
+  if (!arguments.pictures.empty()) RequireWritableFolder(arguments.pictures);
+  const ThreadLimit limit(arguments.pipeline.threads);
   const CheckedArguments checked = AsUsage([&] { return Check(arguments); });
-  SequenceEval eval(arguments, checked.methods);
+  JudgeOfSequences judge(arguments, checked.methods);
   std::vector<SequenceReport> reports;
-  for (const std::string& path : arguments.sequences) reports.push_back(eval.Judge(path));
+  for (const std::string& path : arguments.sequences) reports.push_back(judge.Judge(path));
   std::vector<std::string> missed;
   for (const SequenceTarget& target : checked.targets) {
     for (std::string& sentence : MissedSequences(target, reports)) {
@@ -208,10 +212,10 @@ ExitCode RunSequenceEval(const SequenceEvalArguments& arguments) {
   if (arguments.json) {
     Json sequences = Json::array();
     for (const SequenceReport& report : reports) sequences.push_back(ToJson(report));
-    PrintJson({{"filter", eval.filter_name()},
+    PrintJson({{"filter", judge.filter_name()},
                {"texels", arguments.pipeline.texels},
                {"sequences", sequences},
-               {"pictures", eval.pictures()},
+               {"pictures", judge.pictures()},
                {"missed", missed}});
   } else {
     if (reports.size() > 1) reports.push_back(MeanReport(reports));
@@ -220,10 +224,25 @@ ExitCode RunSequenceEval(const SequenceEvalArguments& arguments) {
       Print((arguments.markdown ? ToMarkdown(table) : ToText(table)) + "\n");
       for (const std::string& note : report.notes) Print(note + "\n");
     }
-    for (const std::string& line : eval.pictures()) Print(line + "\n");
+    for (const std::string& line : judge.pictures()) Print(line + "\n");
     for (const std::string& sentence : missed) Print("missed: " + sentence + "\n");
   }
   return missed.empty() ? ExitCode::kDone : ExitCode::kMissed;
+}
+
+void AddJudgeCommand(Command app, CommandRun* run) {
+  const auto arguments = std::make_shared<JudgeArguments>();
+  JudgeArguments& a = *arguments;
+  Command command =
+      app.AddCommand("judge", "Judge methods on sequences, beside baselines that do without them");
+  AddSequenceOptions(command, &a).Required();
+  command.Add("--target", a.targets, "Least values of a method, as METHOD,PSNR,SSIM");
+  command.Add("--pictures", a.pictures,
+              "Folder for pictures: the windows where the first method errs most");
+  CommandOption markdown =
+      command.AddFlag("--markdown", a.markdown, "Print the tables as Markdown");
+  markdown.Excludes(AddJsonOption(command, &a.json));
+  command.OnParsed([arguments, run] { *run = [arguments] { return RunJudge(*arguments); }; });
 }
 
 }  // namespace warplut

@@ -1,7 +1,6 @@
-// The part of `warplut eval` that judges methods on sequences.
+// warplut judge: methods on sequences with references. `warplut eval --sequence` is the same.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -11,9 +10,7 @@
 
 namespace warplut {
 
-// What --target, --pictures, --markdown and --json give is shared with the part that judges on
-// images.
-struct SequenceEvalArguments {
+struct JudgeArguments {
   std::vector<std::string> sequences;
   std::vector<std::string> modes = {"sr"};
   int every = 2;  // for methods that generate; the others see every frame
@@ -28,8 +25,8 @@ struct SequenceEvalArguments {
 
 // Adds --sequence (returned), --modes, --every, --border, --settled and the options of tables and
 // pipelines.
-CLI::Option* AddSequenceOptions(CLI::App& eval, SequenceEvalArguments* arguments);
+CommandOption AddSequenceOptions(Command eval, JudgeArguments* arguments);
 
-ExitCode RunSequenceEval(const SequenceEvalArguments& arguments);
+ExitCode RunJudge(const JudgeArguments& arguments);
 
 }  // namespace warplut

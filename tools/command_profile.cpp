@@ -200,7 +200,7 @@ std::string Markdown(const ProfileReport& report) {
   std::string text = ToMarkdown(SummaryTable(report));
   for (const TextTable& table :
        {AloneTable(report), TogetherTable(report), TablesTable(report), TileTable(report)}) {
-    if (!table.rows.empty()) text += "\n" + ToMarkdown(table);
+    if (!table.rows.empty()) text += '\n' + ToMarkdown(table);
   }
   return text;
 }
@@ -235,31 +235,28 @@ ExitCode RunProfile(ProfileArguments arguments) {
 
 }  // namespace
 
-void AddProfileCommand(CLI::App& app, CommandRun* run) {
+void AddProfileCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<ProfileArguments>();
   ProfileArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand(
-      "profile", "Find the passes that content can do without and write PIPELINE.h");
-  command->add_option("--sequence", a.sequences, "Sequences to profile, best with references")
-      ->required();
-  command->add_option("--mode", a.mode, "Method to profile: sr, i, e, isr or esr")
-      ->capture_default_str();
-  command->add_option("--out", a.out, "Header to write")->required();
+  Command command =
+      app.AddCommand("profile", "Find the passes that content can do without and write PIPELINE.h");
+  command.Add("--sequence", a.sequences, "Sequences to profile, best with references").Required();
+  command.Add("--mode", a.mode, "Method to profile: sr, i, e, isr or esr").ShowDefault();
+  command.Add("--out", a.out, "Header to write").Required();
   command
-      ->add_option("--within", a.within,
-                   "Largest loss of SSIM against the full pipeline, on the worst sequence")
-      ->capture_default_str();
-  command->add_option("--every", a.every, "Render every N-th frame, in modes that generate")
-      ->check(CLI::Range(2, 64))
-      ->capture_default_str();
-  AddTableOptions(*command, &a.pipeline);
-  AddPipelineOptions(*command, &a.pipeline);
-  CLI::Option* markdown =
-      command->add_flag("--markdown", a.markdown, "Print the tables as Markdown");
-  AddJsonOption(*command, &a.json);
-  markdown->excludes("--json");
-  command->callback([arguments, run, command] {
-    arguments->generated_given = command->count("--generated") > 0 || command->count("--alpha") > 0;
+      .Add("--within", a.within,
+           "Largest loss of SSIM against the full pipeline, on the worst sequence")
+      .ShowDefault();
+  command.Add("--every", a.every, "Render every N-th frame, in modes that generate")
+      .Within(2, 64)
+      .ShowDefault();
+  AddTableOptions(command, &a.pipeline);
+  AddPipelineOptions(command, &a.pipeline);
+  CommandOption markdown =
+      command.AddFlag("--markdown", a.markdown, "Print the tables as Markdown");
+  markdown.Excludes(AddJsonOption(command, &a.json));
+  command.OnParsed([arguments, run, command] {
+    arguments->generated_given = command.Given("--generated") || command.Given("--alpha");
     *run = [arguments] { return RunProfile(*arguments); };
   });
 }

@@ -57,7 +57,7 @@ ExitCode RunReport(const ReportArguments& arguments) {
 }
 
 // As a person would type it again.
-std::string CommandLine(const ReportOptions& options) {
+std::string ShellCommand(const ReportOptions& options) {
   std::string line = "warplut report --out " + options.folder.string();
   if (options.quick) line += " --quick";
   for (const std::string& path : options.sequences) line += " --sequence " + path;
@@ -70,32 +70,27 @@ std::string CommandLine(const ReportOptions& options) {
 
 }  // namespace
 
-void AddReportCommand(CLI::App& app, CommandRun* run) {
+void AddReportCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<ReportArguments>();
   ReportOptions& options = arguments->options;
-  CLI::App* report =
-      app.add_subcommand("report", "Write one page: error against time, stability, omissions");
-  report->add_option("--out", options.folder, "Folder for the page, its tables and plots")
-      ->required();
-  report->add_flag("--quick", options.quick, "Finish in under 3 minutes instead of under 20");
-  report->add_option("--sequence", options.sequences,
-                     "Sequences with references (default: the built-in scenes)");
-  report->add_option("--lut", options.lut,
-                     "Fit or table to report on (default: the fits that ship)");
-  report->add_option("--threads", options.threads, "Number of threads (default: all cores)");
-  report->add_option("--seed", options.seed, "Seed of scenes, offsets and starts")
-      ->capture_default_str();
+  Command report =
+      app.AddCommand("report", "Write one page: error against time, stability, omissions");
+  report.Add("--out", options.folder, "Folder for the page, its tables and plots").Required();
+  report.AddFlag("--quick", options.quick, "Finish in under 3 minutes instead of under 20");
+  report.Add("--sequence", options.sequences,
+             "Sequences with references (default: the built-in scenes)");
+  report.Add("--lut", options.lut, "Fit or table to report on (default: the fits that ship)");
+  report.Add("--threads", options.threads, "Number of threads (default: all cores)");
+  report.Add("--seed", options.seed, "Seed of scenes, offsets and starts").ShowDefault();
   std::string known;
   for (const ReportSectionInfo& info : ReportSections()) {
     known += fmt::format("{}{}", known.empty() ? "" : ", ", info.id);
   }
-  report
-      ->add_option("--sections", options.sections,
-                   "Sections to make, separated by commas: " + known)
-      ->delimiter(',');
-  AddJsonOption(*report, &arguments->json);
-  report->callback([arguments, run] {
-    arguments->options.command_line = CommandLine(arguments->options);
+  report.Add("--sections", options.sections, "Sections to make, separated by commas: " + known)
+      .Separated();
+  AddJsonOption(report, &arguments->json);
+  report.OnParsed([arguments, run] {
+    arguments->options.command_line = ShellCommand(arguments->options);
     *run = [arguments] { return RunReport(*arguments); };
   });
 }

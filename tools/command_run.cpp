@@ -176,36 +176,33 @@ ExitCode Run(const RunArguments& arguments) {
 
 }  // namespace
 
-void AddRunCommand(CLI::App& app, CommandRun* run) {
+void AddRunCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<RunArguments>();
   RunArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand(
-      "run", "Write the frames of a method: super resolution and frame generation");
+  Command command =
+      app.AddCommand("run", "Write the frames of a method: super resolution and frame generation");
   std::string modes;
   for (const MethodInfo& method : Methods()) {
     modes += fmt::format("{}{}: {}", modes.empty() ? "" : "; ", method.name, method.meaning);
   }
   command
-      ->add_option(
-          "--mode", a.modes,
-          "Methods to run, separated by commas; several write into OUT/MODE each: " + modes)
-      ->delimiter(',')
-      ->required();
-  command->add_option("--sequence", a.sequence, "Sequence to read: a sequence.json or its folder")
-      ->required();
-  command->add_option("--out", a.out, "Folder for the frames")->required();
-  command->add_option("--format", a.format, "Format of the files (default: png, exr if linear)")
-      ->check(CLI::IsMember({"png", "exr"}));
-  command->add_option("--every", a.every, "Render every N-th frame")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  AddTableOptions(*command, &a.pipeline);
-  AddPipelineOptions(*command, &a.pipeline);
-  CLI::Option* score = command->add_flag("--score", a.score,
-                                         "Judge the frames by the references and print the table");
-  AddSettledOption(*command, &a.settled)->needs(score);
-  AddJsonOption(*command, &a.json);
-  command->callback([arguments, run] { *run = [arguments] { return Run(*arguments); }; });
+      .Add("--mode", a.modes,
+           "Methods to run, separated by commas; several write into OUT/MODE each: " + modes)
+      .Separated()
+      .Required();
+  command.Add("--sequence", a.sequence, "Sequence to read: a sequence.json or its folder")
+      .Required();
+  command.Add("--out", a.out, "Folder for the frames").Required();
+  command.Add("--format", a.format, "Format of the files (default: png, exr if linear)")
+      .OneOf({"png", "exr"});
+  command.Add("--every", a.every, "Render every N-th frame").Within(1, 64).ShowDefault();
+  AddTableOptions(command, &a.pipeline);
+  AddPipelineOptions(command, &a.pipeline);
+  CommandOption score =
+      command.AddFlag("--score", a.score, "Judge the frames by the references and print the table");
+  AddSettledOption(command, &a.settled).Needs(score);
+  AddJsonOption(command, &a.json);
+  command.OnParsed([arguments, run] { *run = [arguments] { return Run(*arguments); }; });
 }
 
 }  // namespace warplut

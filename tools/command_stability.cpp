@@ -97,17 +97,16 @@ ExitCode RunStability(const StabilityArguments& arguments) {
 
 }  // namespace
 
-void AddStabilityCommand(CLI::App& app, CommandRun* run) {
+void AddStabilityCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<StabilityArguments>();
-  CLI::App* command =
-      app.add_subcommand("stability", "Run stiff and extreme cases and check their requirements");
-  command->add_option("--group", arguments->group, "Run the cases of one group alone")
-      ->check(CLI::IsMember(GroupNames()));
-  command->add_flag("--quick", arguments->quick,
-                    "Run fewer frames and starts: seconds instead of minutes");
-  command->add_flag("--markdown", arguments->markdown, "Print the table as Markdown");
-  AddJsonOption(*command, &arguments->json);
-  command->callback([arguments, run] { *run = [arguments] { return RunStability(*arguments); }; });
+  Command command =
+      app.AddCommand("stability", "Run stiff and extreme cases and check their requirements");
+  command.Add("--group", arguments->group, "Run the cases of one group alone").OneOf(GroupNames());
+  command.AddFlag("--quick", arguments->quick,
+                  "Run fewer frames and starts: seconds instead of minutes");
+  command.AddFlag("--markdown", arguments->markdown, "Print the table as Markdown");
+  AddJsonOption(command, &arguments->json);
+  command.OnParsed([arguments, run] { *run = [arguments] { return RunStability(*arguments); }; });
 }
 
 }  // namespace warplut

@@ -15,6 +15,7 @@
 #include "tools/progress.h"
 #include "tools/table_text.h"
 #include "train/fit/trainer.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -125,13 +126,16 @@ ExitCode RunTrain(TrainArguments arguments) {
           "the fit's name is '{}'; expected letters, digits and _, the first not a digit (--name "
           "sets it).",
           name));
-  RequireWritable(out);
-  RequireWritable(options.checkpoint);
+  Ranks& ranks = Ranks::World();
+  if (ranks.IsRoot()) {
+    RequireWritable(out);
+    RequireWritable(options.checkpoint);
+  }
   int tone_mapped = 0;
   const std::vector<TrainImage> images =
       LoadImages({arguments.data.begin(), arguments.data.end()}, &tone_mapped);
   ThrowIfInterrupted("train", "nothing was written");
-  if (out.has_parent_path()) CreateFolder(out.parent_path());
+  if (ranks.IsRoot() && out.has_parent_path()) CreateFolder(out.parent_path());
 
   TrainResult result;
   {
@@ -150,6 +154,7 @@ ExitCode RunTrain(TrainArguments arguments) {
                           options.checkpoint.string())
             : "training was interrupted before its first evaluation; nothing was written.");
   }
+  if (!ranks.IsRoot()) return ExitCode::kDone;
   result.fit.name = name;
   WriteFit(out, result.fit);
   if (arguments.json) {
@@ -163,80 +168,70 @@ ExitCode RunTrain(TrainArguments arguments) {
 
 }  // namespace
 
-void AddTrainCommand(CLI::App& app, CommandRun* run) {
+void AddTrainCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<TrainArguments>();
   TrainOptions& options = arguments->options;
-  CLI::App* command =
-      app.add_subcommand("train", "Train a resampler on images and write it as a fit (JSON)");
+  Command command =
+      app.AddCommand("train", "Train a resampler on images and write it as a fit (JSON)");
   command
-      ->add_option("--data", arguments->data,
-                   "Images, folders of images, or sequences (their references)")
-      ->required();
+      .Add("--data", arguments->data, "Images, folders of images, or sequences (their references)")
+      .Required();
   command
-      ->add_option("--out", arguments->out,
-                   "Fit to write; FIT.checkpoint stands next to it while training")
-      ->required();
-  command->add_option("--name", arguments->name,
-                      "Identifier of the table (default: file name of --out)");
-  command->add_option("--scale", options.scale, "Upscale factor, output / render, in [1, 4]")
-      ->capture_default_str();
+      .Add("--out", arguments->out, "Fit to write; FIT.checkpoint stands next to it while training")
+      .Required();
+  command.Add("--name", arguments->name, "Identifier of the table (default: file name of --out)");
+  command.Add("--scale", options.scale, "Upscale factor, output / render, in [1, 4]").ShowDefault();
   command
-      ->add_option("--objective", arguments->objective,
-                   "Loss to minimise: that of repeated warps, or of the loop of super resolution")
-      ->check(CLI::IsMember({Name(TrainObjective::kWarp), Name(TrainObjective::kSr)}))
-      ->capture_default_str();
+      .Add("--objective", arguments->objective,
+           "Loss to minimise: that of repeated warps, or of the loop of super resolution")
+      .OneOf({Name(TrainObjective::kWarp), Name(TrainObjective::kSr)})
+      .ShowDefault();
   command
-      ->add_option(
-          "--prefilter", arguments->prefilter,
-          "Prefilter of the table: none, spline (fixed, of the best spline), iir (trained, "
-          "recursive) or fir:N (trained, N taps, odd, 3 to 15)")
-      ->capture_default_str();
+      .Add("--prefilter", arguments->prefilter,
+           "Prefilter of the table: none, spline (fixed, of the best spline), iir (trained, "
+           "recursive) or fir:N (trained, N taps, odd, 3 to 15)")
+      .ShowDefault();
   command
-      ->add_option("--taps", arguments->taps,
-                   fmt::format("Texels that a warp weighs: {}; more than 16 with --prefilter none",
-                               FootprintNames()))
-      ->capture_default_str();
-  command->add_option("--blend-a", options.blend_a,
-                      "Share of a sample on the pixel centre, for --objective sr (default: that of "
-                      "the pipeline)");
-  command->add_option(
-      "--blend-b", options.blend_b,
-      "Decrease of that share with the distance, for --objective sr (default: that of "
-      "the pipeline)");
+      .Add("--taps", arguments->taps,
+           fmt::format("Texels that a warp weighs: {}; more than 16 with --prefilter none",
+                       FootprintNames()))
+      .ShowDefault();
+  command.Add("--blend-a", options.blend_a,
+              "Share of a sample on the pixel centre, for --objective sr (default: that of "
+              "the pipeline)");
+  command.Add("--blend-b", options.blend_b,
+              "Decrease of that share with the distance, for --objective sr (default: that of "
+              "the pipeline)");
   command
-      ->add_option("--horizons", options.horizons,
-                   "Numbers of warps to train for, even, ascending (default: by scale)")
-      ->delimiter(',');
-  command->add_option("--optimizer", arguments->optimizer, "Optimizer of the training")
-      ->check(CLI::IsMember({Name(Optimizer::kLbfgs), Name(Optimizer::kAdam)}))
-      ->capture_default_str();
-  command->add_option("--gain-bound", options.gain_bound,
-                      "Largest gain of any node (default: by horizons)");
-  command->add_option(
-      "--pan-share", options.pan_share,
-      fmt::format("Share of pans in the objective, in [0, 1) (default: "
-                  "{:.2f}, {} with --prefilter none, there {} with more taps, {} with "
-                  "--objective sr)",
-                  kPanShare, kPlainPanShare, kWidePanShare, kSrPanShare));
-  command->add_option("--aliasing", options.aliasing,
-                      fmt::format("Noise of samples by aliasing, in output pixels, for --objective "
-                                  "sr (default: {})",
-                                  kSrAliasing));
-  command->add_option("--crops", options.crops,
-                      "Number of crops to train on (default: by objective)");
-  command->add_option("--stages", options.stages, "Number of training stages")
-      ->capture_default_str();
-  command->add_option("--iterations", options.iterations,
-                      "Iterations of the optimizer in each stage (default: by optimizer)");
-  command->add_option("--max-seconds", options.max_seconds,
-                      "Time limit of the training in seconds (default: none)");
-  command->add_option("--seed", options.seed, "Seed of crops, trajectories and start")
-      ->capture_default_str();
-  command->add_option("--threads", options.threads, "Number of threads (default: all cores)");
-  command->add_flag("--resume", options.resume,
-                    "Continue an interrupted training from its checkpoint");
-  AddJsonOption(*command, &arguments->json);
-  command->callback([arguments, run] { *run = [arguments] { return RunTrain(*arguments); }; });
+      .Add("--horizons", options.horizons,
+           "Numbers of warps to train for, even, ascending (default: by scale)")
+      .Separated();
+  command.Add("--optimizer", arguments->optimizer, "Optimizer of the training")
+      .OneOf({Name(Optimizer::kLbfgs), Name(Optimizer::kAdam)})
+      .ShowDefault();
+  command.Add("--gain-bound", options.gain_bound,
+              "Largest gain of any node (default: by horizons)");
+  command.Add("--pan-share", options.pan_share,
+              fmt::format("Share of pans in the objective, in [0, 1) (default: "
+                          "{:.2f}, {} with --prefilter none, there {} with more taps, {} with "
+                          "--objective sr)",
+                          kPanShare, kPlainPanShare, kWidePanShare, kSrPanShare));
+  command.Add("--aliasing", options.aliasing,
+              fmt::format("Noise of samples by aliasing, in output pixels, for --objective "
+                          "sr (default: {})",
+                          kSrAliasing));
+  command.Add("--crops", options.crops, "Number of crops to train on (default: by objective)");
+  command.Add("--stages", options.stages, "Number of training stages").ShowDefault();
+  command.Add("--iterations", options.iterations,
+              "Iterations of the optimizer in each stage (default: by optimizer)");
+  command.Add("--max-seconds", options.max_seconds,
+              "Time limit of the training in seconds (default: none)");
+  command.Add("--seed", options.seed, "Seed of crops, trajectories and start").ShowDefault();
+  command.Add("--threads", options.threads, "Number of threads (default: all cores)");
+  command.AddFlag("--resume", options.resume,
+                  "Continue an interrupted training from its checkpoint");
+  AddJsonOption(command, &arguments->json);
+  command.OnParsed([arguments, run] { *run = [arguments] { return RunTrain(*arguments); }; });
 }
 
 }  // namespace warplut

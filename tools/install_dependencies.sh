@@ -15,6 +15,7 @@ packages="
   libopenimageio-dev openimageio-tools
   libembree-dev libtbb-dev
   libhwy-dev
+  libopenmpi-dev openmpi-bin
   libcli11-dev nlohmann-json3-dev libfmt-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   gnuplot-nox

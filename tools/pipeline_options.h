@@ -1,23 +1,23 @@
 // The options that commands with a pipeline share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "tools/command_line.h"
 #include "tools/pipeline.h"
 
 namespace warplut {
 
 // Adds --lut, --lookup and --threads.
-void AddTableOptions(CLI::App& command, PipelineArguments* arguments);
+void AddTableOptions(Command command, PipelineArguments* arguments);
 
 // Adds --params, --filter, --frames, --generated, --alpha, --motion-filter, --history and --texels.
-void AddPipelineOptions(CLI::App& command, PipelineArguments* arguments);
+void AddPipelineOptions(Command command, PipelineArguments* arguments);
 
 // Adds --settled and returns it.
-CLI::Option* AddSettledOption(CLI::App& command, int* settled);
+CommandOption AddSettledOption(Command command, int* settled);
 
 // Reads the sequence for a command that runs these methods: the manifest, and a warning where the
 // LUT was fitted for another scale and one of them keeps a history, whose warps depend on the

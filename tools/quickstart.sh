@@ -143,7 +143,7 @@ run_pipeline() {
 }
 
 judge_pipeline() {
-  "$warplut" eval --sequence "$out/clips/$judged_clip" --lut "$out/baked/$name.json" --params "$out/params.json" \
+  "$warplut" judge --sequence "$out/clips/$judged_clip" --lut "$out/baked/$name.json" --params "$out/params.json" \
     --modes sr,sr-paper,i,i-paper --pictures "$out/pictures" --markdown > "$out/judge-pipeline.txt"
   grep '^|' "$out/judge-pipeline.txt" > "$out/tables/quickstart-pipeline.part"
   mv "$out/tables/quickstart-pipeline.part" "$out/tables/quickstart-pipeline.md"

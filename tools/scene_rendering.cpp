@@ -6,6 +6,7 @@
 
 #include "datasets/error.h"
 #include "datasets/sequence_writer.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 
@@ -38,13 +39,20 @@ void RenderScene(const std::string& scene, const RenderOptions& options, Streams
   for (int index = 0; index < options.frames; ++index) {
     sequence.camera.push_back(renderer.CameraAt(index));
   }
+  // The root prepares the folder, every rank writes its share of the frames, the root ends.
+  Ranks& ranks = Ranks::World();
+  if (ranks.IsRoot()) SequenceWriter(folder, sequence);
+  ranks.Meet();
   const SequenceWriter writer(folder, sequence);
-  for (int index = 0; index < options.frames; ++index) {
+  ranks.Meet();
+  for (int index = ranks.rank(); index < options.frames; index += ranks.count()) {
     on_frame();
     if (!writer.Has(index)) writer.Write(index, renderer.Render(index));
   }
   on_frame();
-  writer.Finish();
+  ranks.Meet();
+  if (ranks.IsRoot()) writer.Finish();
+  ranks.Meet();
 }
 
 Streams ParseStreams(const std::vector<std::string>& names) {

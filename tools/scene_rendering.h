@@ -18,7 +18,7 @@ std::vector<std::string> SelectScenes(const std::string& selection);
 // Renders the streams `which` (color is among them) of a scene into `folder`, a sequence of the
 // usual layout. Frames that are there already are kept, so that an interrupted rendering goes on.
 // `on_frame` is called before each frame and once at the end; what it throws leaves whole frames
-// and no manifest.
+// and no manifest. A collective call of Ranks::World(), whose ranks share the frames.
 void RenderScene(const std::string& scene, const RenderOptions& options, Streams which,
                  const std::filesystem::path& folder, const std::function<void()>& on_frame);
 

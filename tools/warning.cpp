@@ -6,12 +6,20 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "train/ranks/ranks.h"
+
 namespace warplut {
 
-void Warn(const std::string& sentence) { fmt::print(stderr, "warplut: warning: {}.\n", sentence); }
+void Warn(const std::string& sentence) {
+  if (Ranks::World().IsRoot()) WarnOfPiece(sentence);
+}
+
+void WarnOfPiece(const std::string& sentence) {
+  fmt::print(stderr, "warplut: warning: {}.\n", sentence);
+}
 
 void WarnOfInfiniteColor(std::int64_t channels, const std::string& sequence) {
-  Warn(fmt::format(
+  WarnOfPiece(fmt::format(
       "{} channels of the linear colour of '{}' are infinite or beyond {}; above they count as "
       "that, below as 0",
       channels, sequence, kLargestHdr));

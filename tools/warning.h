@@ -9,8 +9,11 @@
 
 namespace warplut {
 
-// Prints a sentence on standard error, as a warning.
+// Prints a sentence on standard error, as a warning: what every rank sees, from the root.
 void Warn(const std::string& sentence);
+
+// The same for a piece of the work, which its owner alone sees.
+void WarnOfPiece(const std::string& sentence);
 
 // One line on so many channels of linear colour.
 void WarnOfInfiniteColor(std::int64_t channels, const std::string& sequence);

@@ -1,17 +1,26 @@
 // The program `warplut`: parses the command line, runs one subcommand, turns every failure into one
 // sentence.
-#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <new>
 #include <string>
+#include <string_view>
+#include <thread>
 
+#include "runtime/warp.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
+#include "train/ranks/launch.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
+
+// The commands whose work ranks share.
+constexpr std::string_view kShared[] = {"train", "calibrate", "dataset"};
 
 // Prints "warplut: SENTENCE" on standard error, in one line that ends with a full stop.
 void PrintError(std::string sentence) {
@@ -24,23 +33,43 @@ void PrintError(std::string sentence) {
   std::fprintf(stderr, "warplut: %s\n", sentence.c_str());
 }
 
-ExitCode Run(int argc, char** argv) {
-  CLI::App app("Trains, bakes, judges and runs resampling lookup tables for image warps.",
-               "warplut");
-  app.require_subcommand(0, 1);
-  app.set_version_flag("--version", "warplut " WARPLUT_VERSION);
-  CommandRun run;
-  for (const CommandAdder add : kCommands) add(app, &run);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {  // --help, --version
-    app.exit(asked);
-    return ExitCode::kDone;
-  } catch (const CLI::ParseError& wrong) {
-    PrintError(wrong.what());
-    return ExitCode::kUsage;
+// Several ranks need a command that shares its work, and one program on one kind of processor: what
+// kernels compute differs between instruction sets.
+void RequireSharedWork(const std::string& command) {
+  Ranks& ranks = Ranks::World();
+  if (ranks.count() == 1) return;
+  RequireUsage(std::find(std::begin(kShared), std::end(kShared), command) != std::end(kShared),
+               "the command '" + command +
+                   "' runs on one rank; expected train, calibrate or dataset render, whose work "
+                   "ranks share");
+  ranks.RequireSame("the versions of the program or the instruction sets",
+                    std::string(WARPLUT_VERSION) + " " + WarpTarget());
+}
+
+// Ends all ranks after a failure of this one. The others may have failed alike: they leave the root
+// the time to say so.
+ExitCode EndRanks(const std::string& sentence, ExitCode code) {
+  constexpr auto kPatience = std::chrono::seconds(5);
+  if (LaunchedRanks() > 1) {
+    Ranks& ranks = Ranks::World();
+    if (!ranks.IsRoot()) std::this_thread::sleep_for(kPatience);
+    PrintError((ranks.IsRoot() ? "" : "rank " + std::to_string(ranks.rank()) + ": ") + sentence);
+    ranks.Abort(static_cast<int>(code));
+  } else {
+    PrintError(sentence);
   }
+  return code;
+}
+
+ExitCode Run(int argc, char** argv) {
+  CommandLine command_line(
+      "warplut", "Trains, bakes, judges and runs resampling lookup tables for image warps.",
+      WARPLUT_VERSION);
+  CommandRun run;
+  for (const CommandAdder add : kCommands) add(command_line.program(), &run);
+  if (!command_line.Parse(argc, argv)) return ExitCode::kDone;
   RequireUsage(static_cast<bool>(run), "no command is given; 'warplut --help' lists them");
+  RequireSharedWork(argv[1]);
   InstallInterruptHandlers();
   return run();
 }
@@ -49,14 +78,12 @@ ExitCode RunGuarded(int argc, char** argv) {
   try {
     return Run(argc, argv);
   } catch (const UsageError& wrong) {
-    PrintError(wrong.what());
-    return ExitCode::kUsage;
+    return EndRanks(wrong.what(), ExitCode::kUsage);
   } catch (const std::bad_alloc&) {
-    PrintError("there is not enough memory for this input");
+    return EndRanks("there is not enough memory for this input", ExitCode::kFailed);
   } catch (const std::exception& failure) {
-    PrintError(failure.what());
+    return EndRanks(failure.what(), ExitCode::kFailed);
   }
-  return ExitCode::kFailed;
 }
 
 }  // namespace

@@ -15,9 +15,9 @@ namespace {
 
 using testing::HasSubstr;
 
-class EvalSequenceCommand : public testing::Test {
+class JudgeCommand : public testing::Test {
  protected:
-  EvalSequenceCommand() { WritePan(folder_ / "pan"); }
+  JudgeCommand() { WritePan(folder_ / "pan"); }
   std::string Path(const std::string& name) const { return folder_ / name; }
 
   std::vector<std::string> Eval(const std::vector<std::string>& more = {}) const {
@@ -30,7 +30,7 @@ class EvalSequenceCommand : public testing::Test {
   const TemporaryFolder folder_;
 };
 
-TEST_F(EvalSequenceCommand, PutsBaselinesBesideTheMethods) {
+TEST_F(JudgeCommand, PutsBaselinesBesideTheMethods) {
   const ProgramResult result = RunWarplut(Eval({"--modes", "sr,i", "--json"}));
   ASSERT_EQ(result.code, 0) << result.err;
   const auto document = nlohmann::json::parse(result.out);
@@ -46,10 +46,10 @@ TEST_F(EvalSequenceCommand, PutsBaselinesBesideTheMethods) {
   EXPECT_EQ(methods[1]["frames"].size(), 2U);
 }
 
-TEST_F(EvalSequenceCommand, PrintsATableForEachSequenceAndTheMean) {
+TEST_F(JudgeCommand, PrintsATableForEachSequenceAndTheMean) {
   WritePan(folder_ / "slow", {.speed_x = 0.5});
   const ProgramResult result =
-      RunWarplut({"eval", "--sequence", Path("pan"), Path("slow"), "--modes", "sr-sample",
+      RunWarplut({"judge", "--sequence", Path("pan"), Path("slow"), "--modes", "sr-sample",
                   "--filter", "bilinear", "--texels", "--markdown"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("| pan, texels | PSNR dB | SSIM | temporal | ms/frame |"));
@@ -57,7 +57,7 @@ TEST_F(EvalSequenceCommand, PrintsATableForEachSequenceAndTheMean) {
   EXPECT_THAT(result.out, HasSubstr("| sr-sample |"));
 }
 
-TEST_F(EvalSequenceCommand, PrintsSettledMeansBesideThoseOfAllFrames) {
+TEST_F(JudgeCommand, PrintsSettledMeansBesideThoseOfAllFrames) {
   const ProgramResult result = RunWarplut(Eval({"--modes", "sr", "--settled", "2", "--json"}));
   ASSERT_EQ(result.code, 0) << result.err;
   const auto sr = nlohmann::json::parse(result.out)["sequences"][0]["methods"][0];
@@ -71,7 +71,7 @@ TEST_F(EvalSequenceCommand, PrintsSettledMeansBesideThoseOfAllFrames) {
   ExpectRefused(RunWarplut(Eval({"--settled", "0"})), 1, "");
 }
 
-TEST_F(EvalSequenceCommand, AMissedTargetIsThree) {
+TEST_F(JudgeCommand, AMissedTargetIsThree) {
   EXPECT_EQ(RunWarplut(Eval({"--target", "sr,20,.5"})).code, 0);
   const ProgramResult missed = RunWarplut(Eval({"--target", "sr,99,.5"}));
   EXPECT_EQ(missed.code, 3);
@@ -80,7 +80,7 @@ TEST_F(EvalSequenceCommand, AMissedTargetIsThree) {
   ExpectRefused(RunWarplut(Eval({"--target", "sr,20"})), 1, "METHOD,PSNR,SSIM");
 }
 
-TEST_F(EvalSequenceCommand, WritesPictures) {
+TEST_F(JudgeCommand, WritesPictures) {
   const ProgramResult result = RunWarplut(Eval({"--modes", "sr", "--pictures", Path("pictures")}));
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("-error.png: reference | sr | bilinear | bicubic"));
@@ -94,13 +94,14 @@ TEST_F(EvalSequenceCommand, WritesPictures) {
   EXPECT_GE(pictures, kWindowsOfAKind);
 }
 
-TEST_F(EvalSequenceCommand, NeedsOfReferencesTheirColourAlone) {
+TEST_F(JudgeCommand, NeedsOfReferencesTheirColourAlone) {
   const Streams streams = Streams::kRenderGrid | Streams::kReference;
   WritePan(folder_ / "bare", {.streams = streams});
   const auto eval = [&](const std::string& modes, const std::string& sequence,
                         const std::vector<std::string>& more = {}) {
-    return RunWarplut(CommandLine({"eval", "--sequence", Path(sequence), "--filter", "catmull-rom"},
-                                  {{"--modes", modes}}, more));
+    return RunWarplut(
+        CommandLine({"judge", "--sequence", Path(sequence), "--filter", "catmull-rom"},
+                    {{"--modes", modes}}, more));
   };
   const ProgramResult bare = eval("sr,i", "bare", {"--json"});
   ASSERT_EQ(bare.code, 0) << bare.err;
@@ -129,17 +130,34 @@ TEST_F(EvalSequenceCommand, NeedsOfReferencesTheirColourAlone) {
             0);
 }
 
-TEST_F(EvalSequenceCommand, JudgesGenerationWithoutReferencesByRenderedFrames) {
+TEST_F(JudgeCommand, JudgesGenerationWithoutReferencesByRenderedFrames) {
   // Without jitter the rendered frames of a pan are true frames of one pan.
   WritePan(folder_ / "blind", {.streams = Streams::kRenderGrid, .jitter = false});
   const ProgramResult result = RunWarplut(
-      {"eval", "--sequence", Path("blind"), "--filter", "catmull-rom", "--modes", "i", "--json"});
+      {"judge", "--sequence", Path("blind"), "--filter", "catmull-rom", "--modes", "i", "--json"});
   ASSERT_EQ(result.code, 0) << result.err;
   const auto methods = nlohmann::json::parse(result.out)["sequences"][0]["methods"];
   EXPECT_GT(methods[0]["psnr"].get<double>(), methods[2]["psnr"].get<double>()) << "average";
 }
 
-TEST_F(EvalSequenceCommand, RefusesWhatMakesNoSense) {
+TEST_F(JudgeCommand, IsWhatEvalDoesOnSequences) {
+  const auto methods = [&](const char* command) {
+    const ProgramResult result = RunWarplut(
+        {command, "--sequence", Path("pan"), "--filter", "bilinear", "--modes", "sr", "--json"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    return nlohmann::json::parse(result.out)["sequences"][0]["methods"];
+  };
+  const auto judge = methods("judge"), eval = methods("eval");
+  ASSERT_EQ(judge.size(), 3U);
+  ASSERT_EQ(eval.size(), 3U);
+  for (std::size_t i = 0; i < judge.size(); ++i) {
+    EXPECT_EQ(judge[i]["psnr"], eval[i]["psnr"]);
+    EXPECT_EQ(judge[i]["ssim"], eval[i]["ssim"]);
+  }
+}
+
+TEST_F(JudgeCommand, RefusesWhatMakesNoSense) {
+  ExpectRefused(RunWarplut({"judge", "--filter", "bilinear"}), 1, "--sequence");
   ExpectRefused(RunWarplut({"eval"}), 1, "--images or --sequence");
   ExpectRefused(RunWarplut({"eval", "--images", Path("pan")}), 1, "--lut");
   ExpectRefused(RunWarplut({"eval", "--images", Path("pan"), "--settled", "1"}), 1, "--sequence");
@@ -149,11 +167,12 @@ TEST_F(EvalSequenceCommand, RefusesWhatMakesNoSense) {
   ExpectRefused(RunWarplut(Eval({"--border", "30"})), 2, "border of 30");
   ExpectRefused(RunWarplut(Eval({"--frames", "10:10"})), 2, "showed no frame");
   WritePan(folder_ / "blind", {.streams = Streams::kRenderGrid});
-  ExpectRefused(RunWarplut({"eval", "--sequence", Path("blind"), "--filter", "bilinear"}), 2,
+  ExpectRefused(RunWarplut({"judge", "--sequence", Path("blind"), "--filter", "bilinear"}), 2,
                 "'reference'");
   WritePan(folder_ / "odd", {.output = {60, 64}});
-  ExpectRefused(RunWarplut({"eval", "--sequence", Path("odd"), "--filter", "bilinear", "--texels"}),
-                2, "whole scale");
+  ExpectRefused(
+      RunWarplut({"judge", "--sequence", Path("odd"), "--filter", "bilinear", "--texels"}), 2,
+      "whole scale");
 }
 
 }  // namespace

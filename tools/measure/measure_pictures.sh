@@ -18,7 +18,7 @@ render_missing gallery "$out/images" --width 360 --height 204 --frames 1 --sampl
 for scene in gallery harbour colonnade; do
   render_missing "$scene" "$out/sequences" --width 640 --height 360 --frames 9 --samples 16
 done
-"$warplut" eval --sequence "$out"/sequences/* --lut luts/baked/warplut_sr_x2.json --modes sr,i \
+"$warplut" judge --sequence "$out"/sequences/* --lut luts/baked/warplut_sr_x2.json --modes sr,i \
   --pictures "$out/pictures" \
   | grep 'png: '
 

@@ -16,7 +16,7 @@ lut=luts/baked/warplut_iir_x2.json
 defaults() {
   table=$out/tables/$1.md
   shift
-  "$warplut" eval --sequence "$data"/*/sequence.json --modes sr,i,isr --lut "$lut" --markdown "$@" \
+  "$warplut" judge --sequence "$data"/*/sequence.json --modes sr,i,isr --lut "$lut" --markdown "$@" \
     > "$table.part"
   mv "$table.part" "$table"
 }
@@ -44,7 +44,7 @@ leave_one_out() {
     "$warplut" calibrate --sequence "$@" --modes sr,i,e --lut "$lut" --max-pixels 60000 \
       --starts 0 --out "$params" $options > "$params.txt"
     # shellcheck disable=SC2086
-    "$warplut" eval --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" \
+    "$warplut" judge --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" \
       --params "$params" --pictures "$out/pictures$(echo "$options" | tr -d ' ')" --markdown $options \
       > "$out/$name.txt"
     grep -v '\.png: ' "$out/$name.txt" >> "$table.part"
@@ -63,7 +63,7 @@ scales() {
       render_missing "$scene" "$out/scenes-x$scale" --scale "$scale" --width 714 --height 408 --frames 8
     done
     printf 'Factor %s:\n\n' "$scale" >> "$table.part"
-    "$warplut" eval --sequence "$out/scenes-x$scale"/* --modes sr --markdown \
+    "$warplut" judge --sequence "$out/scenes-x$scale"/* --modes sr --markdown \
       --lut "luts/baked/warplut_sr_x$(echo "$scale" | tr . _).json" >> "$table.part"
   done
   mv "$table.part" "$table"
@@ -84,7 +84,7 @@ hdr() {
           --width 480 --height 270 --frames 8 $option
       done
       printf '%s, exposure %s:\n\n' "$colour" "$exposure" >> "$table.part"
-      "$warplut" eval --sequence "$out/scenes-$colour-$exposure"/* --modes sr,i,e,isr --lut "$lut" \
+      "$warplut" judge --sequence "$out/scenes-$colour-$exposure"/* --modes sr,i,e,isr --lut "$lut" \
         --markdown >> "$table.part"
     done
   done

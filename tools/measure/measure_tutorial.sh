@@ -40,7 +40,7 @@ for scene in plaza colonnade; do
 done
 show render 9 'warplut dataset render street --out my --width 320 --height 180 --frames 9'
 show inspect 9 'warplut dataset inspect my/street'
-show judge 7 'warplut eval --sequence my/colonnade --modes sr,i \
+show judge 7 'warplut judge --sequence my/colonnade --modes sr,i \
     --lut luts/baked/warplut_iir_x2.json --pictures pictures'
 show train 9 'warplut train --scale 2 --data my/street my/plaza --out own_x2.json \
     --crops 8 --stages 2 --iterations 8'

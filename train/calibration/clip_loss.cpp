@@ -9,14 +9,14 @@
 #include <utility>
 
 #include "datasets/error.h"
+#include "train/ranks/ranks.h"
 #include "train/replay/judged_frames.h"
 
 namespace warplut {
 
-// One run and the references that judge it.
+// One run of this rank and the references that judge it.
 class ClipLoss::Judge {
  public:
-  // `weight`: of the run in the loss.
   Judge(ClipRun run, Executor& executor)
       : run_(std::move(run)), executor_(executor), grid_(CheckedGrid(run_)) {
     const Clip& clip = *run_.clip;
@@ -39,8 +39,13 @@ class ClipLoss::Judge {
   }
 
   std::size_t tiles() const { return static_cast<std::size_t>(grid_.count()); }
-  const MethodInfo* method() const { return run_.options.method; }
-  double Share(std::size_t tile) const { return grid_.Share(static_cast<int>(tile)); }
+
+  // Of each tile in the SSIM.
+  std::vector<double> Shares() const {
+    std::vector<double> shares;
+    for (int tile = 0; tile < grid_.count(); ++tile) shares.push_back(grid_.Share(tile));
+    return shares;
+  }
 
   // The mean over judged frames of 1 - SSIM in each tile.
   std::vector<double> TileLosses(const Parameters& parameters, float gate_width) {
@@ -88,40 +93,61 @@ class ClipLoss::Judge {
   std::map<int, LumaPlane> references_;
 };
 
-ClipLoss::ClipLoss(std::vector<ClipRun> runs, Executor& executor) : executor_(executor) {
+ClipLoss::ClipLoss(std::vector<ClipRun> runs, Executor& executor) {
   if (runs.empty()) throw Error("there is no clip to calibrate on; expected at least one.");
-  std::map<std::string, int> sources;
+  Ranks& ranks = Ranks::World();
+  std::map<const MethodInfo*, int> clips;  // of each method
+  for (const ClipRun& run : runs) {
+    ++clips[run.options.method];
+    owners_.push_back(run.owner);
+  }
+  std::vector<std::string> names;
   for (ClipRun& run : runs) {
+    weights_.push_back(1.0 / static_cast<double>(clips.size()) / clips[run.options.method]);
+    names.push_back(run.clip ? run.clip->name : run.name);
+    const bool own = run.owner == ranks.rank();
+    judges_.push_back(own ? std::make_unique<Judge>(std::move(run), executor) : nullptr);
+    shares_.push_back(own ? judges_.back()->Shares() : std::vector<double>());
+  }
+  ranks.Exchange(owners_, shares_);
+  std::map<std::string, int> sources;
+  for (std::size_t r = 0; r < judges_.size(); ++r) {
     const int next = static_cast<int>(sources.size());
-    const int source = sources.try_emplace(run.clip->name, next).first->second;
-    judges_.push_back(std::make_unique<Judge>(std::move(run), executor_));
-    sources_.insert(sources_.end(), judges_.back()->tiles(), source);
+    sources_.insert(sources_.end(), shares_[r].size(),
+                    sources.try_emplace(names[r], next).first->second);
   }
 }
 
 ClipLoss::~ClipLoss() = default;
 
+std::vector<std::vector<double>> ClipLoss::TileLosses(const Parameters& parameters,
+                                                      float gate_width) {
+  std::vector<std::vector<double>> losses(judges_.size());
+  for (std::size_t r = 0; r < judges_.size(); ++r) {
+    if (judges_[r]) losses[r] = judges_[r]->TileLosses(parameters, gate_width);
+  }
+  Ranks::World().Exchange(owners_, losses);
+  return losses;
+}
+
 void ClipLoss::Evaluate(const Parameters& parameters, float gate_width,
                         std::span<double> residuals) {
-  std::map<const MethodInfo*, int> clips;  // of each method
-  for (const auto& judge : judges_) ++clips[judge->method()];
+  const std::vector<std::vector<double>> losses = TileLosses(parameters, gate_width);
   std::size_t at = 0;
-  for (const auto& judge : judges_) {
-    const double weight = 1.0 / static_cast<double>(clips.size()) / clips[judge->method()];
-    const std::vector<double> losses = judge->TileLosses(parameters, gate_width);
-    for (std::size_t tile = 0; tile < losses.size(); ++tile) {
-      residuals[at++] = std::sqrt(2 * weight * judge->Share(tile) * losses[tile]);
+  for (std::size_t r = 0; r < losses.size(); ++r) {
+    for (std::size_t tile = 0; tile < losses[r].size(); ++tile) {
+      residuals[at++] = std::sqrt(2 * weights_[r] * shares_[r][tile] * losses[r][tile]);
     }
   }
 }
 
 std::vector<double> ClipLoss::MeanSsim(const Parameters& parameters) {
+  const std::vector<std::vector<double>> losses = TileLosses(parameters, 0);
   std::vector<double> means;
-  for (const auto& judge : judges_) {
-    const std::vector<double> losses = judge->TileLosses(parameters, 0);
+  for (std::size_t r = 0; r < losses.size(); ++r) {
     double loss = 0;
-    for (std::size_t tile = 0; tile < losses.size(); ++tile) {
-      loss += judge->Share(tile) * losses[tile];
+    for (std::size_t tile = 0; tile < losses[r].size(); ++tile) {
+      loss += shares_[r][tile] * losses[r][tile];
     }
     means.push_back(1 - loss);
   }

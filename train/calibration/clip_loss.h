@@ -16,8 +16,10 @@ namespace warplut {
 
 // One method over one clip. Its own parameters and gate width do not matter.
 struct ClipRun {
-  std::shared_ptr<const Clip> clip;
+  std::shared_ptr<const Clip> clip;  // null on the ranks that do not own the run
   ModeRunOptions options;
+  std::string name = {};  // of the clip
+  int owner = 0;          // the rank that runs it
 };
 
 // The mean over methods of the mean over clips of the mean over judged frames of 1 - SSIM of luma.
@@ -29,7 +31,8 @@ class ClipLoss final : public ResidualFunction {
  public:
   // The executor outlives the object; the residuals do not depend on it. Error: no run, a method
   // that the paper's constants are part of, a run that cannot be made (ModeRunOptions::IsValid),
-  // images too small for the SSIM window, no judged frame.
+  // images too small for the SSIM window, no judged frame. This, Evaluate and MeanSsim are
+  // collective calls of Ranks::World(): each rank has the same runs, and computes its own.
   ClipLoss(std::vector<ClipRun> runs, Executor& executor);
   ~ClipLoss() override;
 
@@ -45,9 +48,14 @@ class ClipLoss final : public ResidualFunction {
  private:
   class Judge;
 
-  Executor& executor_;
-  std::vector<std::unique_ptr<Judge>> judges_;
-  std::vector<int> sources_;  // of the residuals
+  // The losses of each run's tiles.
+  std::vector<std::vector<double>> TileLosses(const Parameters& parameters, float gate_width);
+
+  std::vector<int> owners_;                     // of each run
+  std::vector<std::unique_ptr<Judge>> judges_;  // of each run; null where another rank owns it
+  std::vector<std::vector<double>> shares_;     // of each run's tiles in its SSIM
+  std::vector<double> weights_;                 // of each run in the loss
+  std::vector<int> sources_;                    // of the residuals
 };
 
 // Which parameters the methods read: indices of kParameters, ascending.

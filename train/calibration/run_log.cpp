@@ -6,6 +6,7 @@
 
 #include "datasets/file.h"
 #include "luts/fit/json_header.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -33,8 +34,11 @@ const std::vector<double>* RunLog::Residuals(const Parameters& parameters, float
   key.back() = gate_width;
   if (const auto known = runs_.find(key); known != runs_.end()) return &known->second;
 
-  if (stop_ == Stop::kNone && options_.go_on && !options_.go_on()) stop_ = Stop::kAsked;
-  if (stop_ == Stop::kNone && limit_ > 0 && Seconds() > limit_) {
+  Ranks& ranks = Ranks::World();
+  if (stop_ == Stop::kNone && ranks.Any(options_.go_on && !options_.go_on())) {
+    stop_ = Stop::kAsked;
+  }
+  if (stop_ == Stop::kNone && limit_ > 0 && ranks.OfRoot(Seconds()) > limit_) {
     stop_ = Stop::kTime;
   }
   if (stop_ != Stop::kNone) return nullptr;
@@ -55,7 +59,8 @@ std::optional<double> RunLog::Loss(const Parameters& parameters, float gate_widt
 
 void RunLog::LimitTo(double max_seconds) {
   limit_ = max_seconds;
-  if (stop_ == Stop::kTime && (limit_ == 0 || Seconds() <= limit_)) stop_ = Stop::kNone;
+  if (stop_ == Stop::kTime && (limit_ == 0 || Ranks::World().OfRoot(Seconds()) <= limit_))
+    stop_ = Stop::kNone;
 }
 
 double RunLog::Seconds() const {
@@ -63,7 +68,7 @@ double RunLog::Seconds() const {
 }
 
 void RunLog::Save() {
-  if (options_.checkpoint.empty()) return;
+  if (options_.checkpoint.empty() || !Ranks::World().IsRoot()) return;
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
   for (const auto& [key, residuals] : runs_) {
     runs.push_back({{"at", key}, {"residuals", residuals}});

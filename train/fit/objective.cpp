@@ -7,10 +7,33 @@
 #include <array>
 #include <cmath>
 
+#include "train/ranks/ranks.h"
+
 namespace warplut {
 namespace {
 
 using Workspaces = tbb::enumerable_thread_specific<RolloutWorkspace>;
+
+// Calls run(r) for each rollout of this rank, in parallel.
+template <class Run>
+void ForOwn(const std::vector<int>& owners, const Run& run) {
+  const int rank = Ranks::World().rank();
+  tbb::parallel_for(std::size_t{0}, owners.size(), [&](std::size_t r) {
+    if (owners[r] == rank) run(r);
+  });
+}
+
+// Completes the gradients of the other ranks' rollouts.
+void ExchangeGradients(const std::vector<int>& owners, std::vector<Resampler>& gradients) {
+  Ranks& ranks = Ranks::World();
+  if (ranks.count() == 1) return;
+  std::vector<std::vector<double>> numbers(gradients.size());
+  for (std::size_t r = 0; r < gradients.size(); ++r) {
+    if (owners[r] == ranks.rank()) numbers[r] = gradients[r].Numbers();
+  }
+  ranks.Exchange(owners, numbers);
+  for (std::size_t r = 0; r < gradients.size(); ++r) gradients[r].SetNumbers(numbers[r]);
+}
 
 }  // namespace
 
@@ -64,14 +87,25 @@ void Objective::ScaleBaselines(const Objective& like) {
   SetBaselines(std::move(baselines), like.yardstick_);
 }
 
+std::vector<int> Objective::Owners() const {
+  std::vector<double> work;
+  work.reserve(rollouts_.size());
+  for (const JudgedRollout& judged : rollouts_) {
+    work.push_back(static_cast<double>(judged.rollout.steps.size()));
+  }
+  return BalancedOwners(work, Ranks::World().count());
+}
+
 std::vector<double> Objective::Losses(const Resampler& resampler) const {
   std::vector<std::vector<double>> losses(rollouts_.size());
+  const std::vector<int> owners = Owners();
   Workspaces workspaces(crops_[0].width(), crops_[0].height());
-  tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
+  ForOwn(owners, [&](std::size_t r) {
     const Rollout& rollout = rollouts_[r].rollout;
     losses[r].resize(rollout.horizons.size());
     workspaces.local().Losses(rollout, resampler, losses[r]);
   });
+  Ranks::World().Exchange(owners, losses);
   return MeanLosses(losses);
 }
 
@@ -126,7 +160,8 @@ double Objective::Evaluate(const Resampler& resampler, Resampler* gradient) cons
   Workspaces workspaces(crops_[0].width(), crops_[0].height());
   // A rollout with one horizon needs no factor to be derived: it is run once.
   const std::array<double, 1> one = {1.0};
-  tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
+  const std::vector<int> owners = Owners();
+  ForOwn(owners, [&](std::size_t r) {
     const Rollout& rollout = rollouts_[r].rollout;
     RolloutWorkspace& workspace = workspaces.local();
     losses[r].resize(rollout.horizons.size());
@@ -137,10 +172,11 @@ double Objective::Evaluate(const Resampler& resampler, Resampler* gradient) cons
     workspace.Forward(rollout, resampler, losses[r]);
     workspace.Backward(rollout, one, resampler, gradients[r]);
   });
+  Ranks::World().Exchange(owners, losses);
   std::vector<double> factors(protocols_.size());
   const double value = Combine(MeanLosses(losses), factors);
   for (std::size_t i = 0; i < factors.size(); ++i) factors[i] /= rollouts_per_protocol_[i];
-  tbb::parallel_for(std::size_t{0}, rollouts_.size(), [&](std::size_t r) {
+  ForOwn(owners, [&](std::size_t r) {
     const auto& [rollout, crop, first] = rollouts_[r];
     if (losses[r].size() == 1) return;
     RolloutWorkspace& workspace = workspaces.local();
@@ -148,6 +184,7 @@ double Objective::Evaluate(const Resampler& resampler, Resampler* gradient) cons
     workspace.Backward(rollout, std::span(factors).subspan(first, losses[r].size()), resampler,
                        gradients[r]);
   });
+  ExchangeGradients(owners, gradients);
   *gradient = {};
   for (std::size_t r = 0; r < rollouts_.size(); ++r) {
     gradient->Add(losses[r].size() == 1 ? factors[rollouts_[r].first] : 1, gradients[r]);

@@ -39,8 +39,9 @@ class Objective {
   Objective& operator=(const Objective&) = delete;
   virtual ~Objective() = default;
 
-  // L(resampler); with `gradient`, also writes dL/d(resampler). Rollouts run in parallel and are
-  // added in a fixed order: the same bits for any number of threads.
+  // L(resampler); with `gradient`, also writes dL/d(resampler). Rollouts run in parallel, shared
+  // among the ranks, and are added in a fixed order: the same bits for any number of threads and
+  // ranks. This, Losses and the construction are collective calls of Ranks::World().
   double Evaluate(const Resampler& resampler, Resampler* gradient = nullptr) const;
 
   // l_i(resampler), in the order of protocols().
@@ -83,6 +84,9 @@ class Objective {
   void ScaleBaselines(const Objective& like);
 
  private:
+  // The rank that runs each rollout.
+  std::vector<int> Owners() const;
+
   // l_i of the losses of every rollout.
   std::vector<double> MeanLosses(const std::vector<std::vector<double>>& losses) const;
 

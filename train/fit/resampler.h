@@ -2,6 +2,10 @@
 // that they read through.
 #pragma once
 
+#include <iterator>
+#include <span>
+#include <vector>
+
 #include "luts/prefilter.h"
 #include "train/fit/canonical_nodes.h"
 
@@ -25,6 +29,25 @@ struct Resampler {
     for (int j = 0; j <= kLargestFirReach; ++j) {
       prefilter.taps[j] += factor * other.prefilter.taps[j];
     }
+  }
+
+  // The numbers that Add adds, one after another.
+  std::vector<double> Numbers() const {
+    std::vector<double> numbers;
+    for (const auto& node : weights) numbers.insert(numbers.end(), node.begin(), node.end());
+    numbers.push_back(prefilter.side);
+    numbers.insert(numbers.end(), std::begin(prefilter.taps), std::end(prefilter.taps));
+    return numbers;
+  }
+
+  // Sets them; `numbers` has as many as Numbers() gives.
+  void SetNumbers(std::span<const double> numbers) {
+    const double* next = numbers.data();
+    for (auto& node : weights) {
+      for (double& weight : node) weight = *next++;
+    }
+    prefilter.side = *next++;
+    for (double& tap : prefilter.taps) tap = *next++;
   }
 
   CanonicalWeights<double> weights{};

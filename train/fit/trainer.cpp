@@ -26,6 +26,7 @@
 #include "train/fit/sr_objective.h"
 #include "train/fit/warp_objective.h"
 #include "train/metrics/luma.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -137,7 +138,9 @@ class Training {
       if (!RunStage()) return false;
     }
     // After a cut there is more to do: it stays for --resume.
-    if (!options_.checkpoint.empty() && !cut_) std::filesystem::remove(options_.checkpoint);
+    if (!options_.checkpoint.empty() && !cut_ && Ranks::World().IsRoot()) {
+      std::filesystem::remove(options_.checkpoint);
+    }
     return true;
   }
 
@@ -149,7 +152,9 @@ class Training {
  private:
   double Seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   bool OutOfTime() {
-    const bool out = options_.max_seconds > 0 && Seconds() >= options_.max_seconds;
+    // By the clock of the root, for all ranks.
+    const bool out =
+        options_.max_seconds > 0 && Ranks::World().OfRoot(Seconds()) >= options_.max_seconds;
     cut_ = cut_ || out;
     return out;
   }
@@ -254,7 +259,8 @@ bool Training::RunStage() {
   bool stopped = false;
   const MinimizeCallback callback = [&](const double*, double value) {
     loss = value;
-    stopped = !Report(++iteration, static_cast<std::int64_t>(logged.evaluations()), value);
+    const auto evaluations = static_cast<std::int64_t>(logged.evaluations());
+    stopped = Ranks::World().Any(!Report(++iteration, evaluations, value));
     return !stopped && !(iteration < options_.iterations && OutOfTime());
   };
   if (options_.optimizer == Optimizer::kAdam) {
@@ -274,7 +280,7 @@ void Training::Save(bool now) {
   // Seconds between two checkpoints, which is what a kill may lose, and that as a multiple of what
   // one takes.
   constexpr double kSaveSeconds = 2, kSaveShare = 20;
-  if (options_.checkpoint.empty()) return;
+  if (options_.checkpoint.empty() || !Ranks::World().IsRoot()) return;
   const auto since = [](Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
   };
@@ -376,6 +382,9 @@ TrainResult Train(const TrainOptions& options, const std::vector<TrainImage>& im
   if (!options.IsValid(&why)) throw Error("Training options: " + why);
   const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  std::string made_for = options.Resolved().Json();
+  for (const TrainImage& image : images) made_for += '\n' + image.record.sha1;
+  Ranks::World().RequireSame("the options or the images", made_for);
   Training training(options, images, progress);
   TrainResult result;
   result.interrupted = !training.Run();

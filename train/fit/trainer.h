@@ -48,8 +48,9 @@ struct TrainResult {
 
 // Trains. An Error says what is wrong with the data (as CheckedLuma) or the checkpoint (damaged, or
 // of other options or data, and which). Same options, data and seed give the same bits for any
-// number of threads, also across an interruption, unless max_seconds ends it; between instruction
-// sets the bits differ.
+// number of threads and ranks, also across an interruption, unless max_seconds ends it; between
+// instruction sets the bits differ. A collective call of Ranks::World(); the root alone writes the
+// checkpoint.
 TrainResult Train(const TrainOptions& options, const std::vector<TrainImage>& images,
                   const TrainCallback& progress = {});
 

@@ -1,0 +1,23 @@
+#include <algorithm>
+#include <numeric>
+
+#include "train/ranks/ranks.h"
+
+namespace warplut {
+
+std::vector<int> BalancedOwners(std::span<const double> work, int ranks) {
+  std::vector<std::size_t> order(work.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return work[a] > work[b]; });
+  std::vector<double> sums(static_cast<std::size_t>(ranks), 0.0);
+  std::vector<int> owners(work.size(), 0);
+  for (const std::size_t i : order) {
+    const auto least = std::min_element(sums.begin(), sums.end());
+    *least += work[i];
+    owners[i] = static_cast<int>(least - sums.begin());
+  }
+  return owners;
+}
+
+}  // namespace warplut

@@ -1,0 +1,30 @@
+// Ranks of a build without MPI: this process alone.
+#include "datasets/error.h"
+#include "train/ranks/launch.h"
+#include "train/ranks/ranks.h"
+
+namespace warplut {
+
+Ranks::Ranks() {
+  if (LaunchedRanks() > 1) {
+    throw Error(
+        "this program was built without MPI, so that its ranks would each do the whole work; "
+        "expected a build that found MPI, or a start without mpirun.");
+  }
+}
+
+Ranks::~Ranks() = default;
+
+Ranks& Ranks::World() {
+  static Ranks world;
+  return world;
+}
+
+void Ranks::Meet() {}
+bool Ranks::Any(bool here) { return here; }
+double Ranks::OfRoot(double value) { return value; }
+void Ranks::Exchange(std::span<const int>, std::vector<std::vector<double>>&) {}
+void Ranks::RequireSame(const std::string&, const std::string&) {}
+void Ranks::Abort(int) {}
+
+}  // namespace warplut
