@@ -35,7 +35,9 @@ bool FuzzFit(std::string_view bytes) {
   const std::string text = ReadFile(written);
   WriteFit(written, ReadFit(written));
   Require(ReadFile(written) == text, "a fit changes when it is written and read");
-  Accepts([&] { LoadTable(path); });  // weights may be beyond the format
+  // The table of one fit in eight, as it takes a second under sanitizers; weights may be beyond the
+  // format.
+  if (bytes.size() % 8 == 0) Accepts([&] { LoadTable(path); });
   return true;
 }
 

@@ -3,7 +3,7 @@
 # table, and ends with 1 if there is a fault. usage: tools/measure/fuzz.sh SECONDS [TARGET...]
 #   SECONDS   of each target
 #   TARGET    names of folders of tests/fuzz/corpus (default: all of them)
-# A fault is a crash, a leak, undefined behaviour, 10 s on one input, 1 GiB in one piece or 2 GiB of
+# A fault is a crash, a leak, undefined behaviour, 30 s on one input, 1 GiB in one piece or 2 GiB of
 # memory, or a promise that does not hold.
 # Inputs that were found stay in build/fuzz/found, those that are faults in build/fuzz/faults. A
 # fault that is mended goes into the corpus of its target, as a test. Needs clang++ with libFuzzer.
@@ -63,7 +63,7 @@ for target in "$@"; do
         longest=32768
         ;;
     esac
-    "build/fuzz/tests/fuzz/fuzz_$target" -max_total_time="$left" -timeout=10 -rss_limit_mb=2048 \
+    "build/fuzz/tests/fuzz/fuzz_$target" -max_total_time="$left" -timeout=30 -rss_limit_mb=2048 \
       -malloc_limit_mb=1024 -max_len="$longest" -dict="$dictionary" -print_final_stats=1 -seed=1 \
       -artifact_prefix="$faults/" "$found" "tests/fuzz/corpus/$target" >> "$log" 2>&1 || true
     left=$((seconds - $(date +%s) + begun))
