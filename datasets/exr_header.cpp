@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "datasets/error.h"
+#include "datasets/image_io.h"
 
 namespace warplut {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 constexpr std::uint32_t kMagic = 20000630;
 constexpr std::uint32_t kMultiPart = 0x1000;  // in the version
 constexpr std::size_t kLongestName = 255;
+constexpr std::uint32_t kMaxTileSide = 4096;
 constexpr std::uint32_t kBytesOfChannel = 16;  // after its name
 
 // Types of attributes with one length. Libraries read that many bytes, whatever the file tells.
@@ -62,6 +64,33 @@ std::uint32_t ChannelListLength(std::istream& file) {
   return 0;
 }
 
+[[noreturn]] void Fail(const std::filesystem::path& path, const std::string& reason) {
+  throw Error(fmt::format("cannot read the image '{}': {}", path.string(), reason));
+}
+
+// Sides of the window that begins here: readers take memory for lines of that length.
+void CheckWindow(const std::filesystem::path& path, std::istream& file) {
+  std::uint32_t corners[4] = {};  // least x, least y, largest x, largest y
+  for (std::uint32_t& corner : corners) ReadNumber(file, &corner);
+  const auto side = [&](int axis) {
+    return std::int64_t{static_cast<std::int32_t>(corners[axis + 2])} -
+           static_cast<std::int32_t>(corners[axis]) + 1;
+  };
+  const std::int64_t width = side(0), height = side(1);
+  if (width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide) return;
+  Fail(path, fmt::format("its size is {} x {}; expected sides from 1 to {}", width, height,
+                         kMaxImageSide));
+}
+
+void CheckTiles(const std::filesystem::path& path, std::istream& file) {
+  std::uint32_t width = 0, height = 0;
+  ReadNumber(file, &width);
+  ReadNumber(file, &height);
+  if (width <= kMaxTileSide && height <= kMaxTileSide) return;
+  Fail(path, fmt::format("its tiles are {} x {}; expected sides of at most {}", width, height,
+                         kMaxTileSide));
+}
+
 // The only length that the attribute at this place can have; nothing if it can have any.
 std::optional<std::uint32_t> LengthOf(std::istream& file, std::string_view type) {
   if (type == "chlist") {
@@ -96,13 +125,18 @@ void CheckExrHeader(const std::filesystem::path& path) {
     if (!ReadName(file, &type) || !ReadNumber(file, &size)) return;
     const std::optional<std::uint32_t> expected = LengthOf(file, type);
     if (size > length || (expected && size != *expected)) {
-      throw Error(fmt::format(
-          "cannot read the image '{}': an attribute of its header, of type '{}', tells a length of "
-          "{} bytes; expected {}",
-          path.string(), type, size,
-          expected ? std::to_string(*expected)
-                   : fmt::format("at most the {} bytes of the file", length)));
+      Fail(path,
+           fmt::format("an attribute of its header, of type '{}', tells a length of {} bytes; "
+                       "expected {}",
+                       type, size,
+                       expected ? std::to_string(*expected)
+                                : fmt::format("at most the {} bytes of the file", length)));
     }
+    const auto place = file.tellg();
+    if (name == "dataWindow" || name == "displayWindow") CheckWindow(path, file);
+    if (type == "tiledesc") CheckTiles(path, file);
+    file.clear();
+    file.seekg(place);
     file.seekg(size, std::ios::cur);
   }
 }

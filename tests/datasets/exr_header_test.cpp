@@ -53,6 +53,18 @@ TEST(ExrHeader, LengthThatItsTypeCannotHaveIsRefused) {
   ExpectError([&] { CheckExrHeader(folder / "list.exr"); }, {"list.exr", "chlist", "3", "55"});
 }
 
+TEST(ExrHeader, SidesBeyondTheLargestAreRefused) {
+  const TemporaryFolder folder;
+  std::string bytes = WholeFile(folder);
+  const std::string window = std::string("dataWindow\0box2i\0", 17) + std::string("\x10\0\0\0", 4);
+  const std::size_t at = bytes.find(window);
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at + window.size() + 8, 4, std::string("\0\0\x55\0", 4));  // the largest x
+  WriteFile(folder / "wide.exr", bytes);
+  ExpectError([&] { CheckExrHeader(folder / "wide.exr"); },
+              {"wide.exr", "5570561 x 3", "1 to 32768"});
+}
+
 TEST(ExrHeader, OtherFilesAreLeftToTheirReader) {
   const TemporaryFolder folder;
   WriteFile(folder / "short.exr", "v/1");

@@ -58,6 +58,8 @@ GoldenHashes BakeHashes() {
   for (const TableFormat format :
        {TableFormat::kI16, TableFormat::kF16, TableFormat::kI8, TableFormat::kF32}) {
     for (const auto& [kind, fit] : fits) {
+      // Every kind in the default format, and every format of the default kind.
+      if (format != TableFormat::kI16 && &fit != &fits[0].second) continue;
       const BakedFiles files = Bake(fit, {.format = format});
       hashes[std::string("bake/") + Name(format) + "/" + kind] =
           Sha1(files.header + files.json + files.exr);

@@ -1,5 +1,5 @@
-// A scene of any length from numbers that are exact in float, and so the same with every compiler: a
-// ground that pans, and a nearer square that moves the other way.
+// A scene of any length from numbers that are exact in float, and so the same with every compiler:
+// a ground that pans, and a nearer square that moves the other way.
 #pragma once
 
 #include "train/replay/clip.h"
