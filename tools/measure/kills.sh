@@ -1,9 +1,10 @@
 #!/bin/sh
 # Kills commands (SIGKILL) at random moments, goes on with the same commands, and compares what they
 # leave with uninterrupted runs, bit for bit. Prints a table; ends with 1 if there is a fault.
-# usage: tools/measure/kills.sh KILLS [SEED]
+# usage: tools/measure/kills.sh KILLS [SEED [COMMAND...]]
 #   KILLS   number of kills over all commands
 #   SEED    of the moments, a whole number (default: 1)
+#   COMMAND render, train, calibrate, run or report (default: all of them)
 # The program is build/release/tools/warplut, or $WARPLUT. A fault is a file under its final name
 # that is not the whole file, a resumed command that fails, an output that differs from that of the
 # uninterrupted run, or a file that stays beside it. Commands are small and take a second or so each.
@@ -11,12 +12,15 @@ set -eu
 
 case "${1:-}${2:-}" in
   '' | *[!0-9]*)
-    echo "usage: tools/measure/kills.sh KILLS [SEED], whole numbers" >&2
+    echo "usage: tools/measure/kills.sh KILLS [SEED [COMMAND...]], with whole numbers" >&2
     exit 1
     ;;
 esac
 kills=$1
 seed=${2:-1}
+shift
+if [ $# -gt 0 ]; then shift; fi
+if [ $# -eq 0 ]; then set -- render train calibrate run report; fi
 cd "$(dirname "$0")/../.."
 root=$PWD
 warplut=${WARPLUT:-$root/build/release/tools/warplut}
@@ -53,7 +57,7 @@ command_of() {
 comparable() {
   case "$1" in
     train) sed -E 's/"seconds": [-+.e0-9]+/"seconds": 0/' ;;
-    report) sed -E 's/[0-9.]+ (seconds|s|ms|hours)\b//g; s/"(seconds|milliseconds|date|time)": [^,]*//g' ;;
+    report) sed -E 's/[0-9.]+ (seconds|s|ms|minutes|hours)\b//g; s/"(seconds|milliseconds|date|time)": [^,]*//g' ;;
     *) cat ;;
   esac
 }
@@ -105,8 +109,8 @@ echo "| command | seconds | kills | after the end | rounds | faults |"
 echo "|---|---|---|---|---|---|"
 total=0
 number=0
-left_commands=5
-for name in render train calibrate run report; do
+left_commands=$#
+for name in "$@"; do
   mkdir -p "$name/out" "$name.whole/out"
   begun=$(date +%s%N)
   # shellcheck disable=SC2046 # options without spaces
