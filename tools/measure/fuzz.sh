@@ -63,7 +63,7 @@ for target in "$@"; do
         longest=32768
         ;;
     esac
-    "build/fuzz/tests/fuzz/fuzz_$target" -max_total_time="$left" -timeout=30 -rss_limit_mb=2048 \
+    "build/fuzz/tests/fuzz/fuzz_$target" -max_total_time="$left" -timeout=30 -report_slow_units=30 -rss_limit_mb=2048 \
       -malloc_limit_mb=1024 -max_len="$longest" -dict="$dictionary" -print_final_stats=1 -seed=1 \
       -artifact_prefix="$faults/" "$found" "tests/fuzz/corpus/$target" >> "$log" 2>&1 || true
     left=$((seconds - $(date +%s) + begun))

@@ -22,11 +22,12 @@ build_and_print() {
   mkdir -p "$folder"
   if ! { cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$2" \
     -DCMAKE_CXX_FLAGS_RELEASE="$3 -DNDEBUG" -DWARPLUT_WARNINGS_AS_ERRORS=ON &&
-    cmake --build "$folder" --target golden_print; } > "$folder.log" 2>&1; then
+    cmake --build "$folder" --target golden_print ${4:+golden_print_training}; } > "$folder.log" 2>&1; then
     tail -n 20 "$folder.log"
     exit 2
   fi
-  "$folder/tests/golden/golden_print" ${4:+"$4"} > "$folder.txt"
+  "$folder/tests/golden/golden_print" > "$folder.txt"
+  if [ -n "${4:-}" ]; then "$folder/tests/golden/golden_print_training" >> "$folder.txt"; fi
 }
 
 build_and_print g++-O3 g++ -O3 "${1:-}"
