@@ -59,9 +59,9 @@ function(warplut_runtime_library name)
   set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   if(NOT MSVC)
     target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
-    # The plain and the fast version of a pass give the same bits: no compiler may fuse multiply and
-    # add in one of them.
-    set_source_files_properties(${generation} TARGET_DIRECTORY ${name}
+    # The plain and the fast version of a pass give the same bits, and so do compilers: none may fuse
+    # multiply and add where the source does not.
+    set_source_files_properties(${generation} ${sr} TARGET_DIRECTORY ${name}
                                 PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
   endif()
 endfunction()

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -13,6 +12,7 @@
 #include <system_error>
 
 #include "datasets/error.h"
+#include "datasets/temporary_file.h"
 
 namespace warplut {
 namespace {
@@ -46,16 +46,6 @@ class Descriptor {
 [[noreturn]] void ThrowErrno(const char* step) {
   const int code = errno;
   throw Error(fmt::format("{} failed: {}", step, std::generic_category().message(code)));
-}
-
-// Hidden, so that nothing that lists a folder's images takes one left behind by a killed process.
-// Shorter than the longest name that systems take wherever the name of `path` is not longer itself.
-fs::path TemporaryBeside(const fs::path& path) {
-  constexpr std::size_t kMaxPart = 100;  // bytes of stem and extension that are kept
-  static std::atomic<unsigned> counter{0};
-  return path.parent_path() /
-         fmt::format(".{}.{}-{}.tmp{}", path.stem().string().substr(0, kMaxPart), ::getpid(),
-                     counter.fetch_add(1), path.extension().string().substr(0, kMaxPart));
 }
 
 void SyncFile(const fs::path& path) {
@@ -94,6 +84,7 @@ void WriteAtomically(const fs::path& path, const std::function<void(const fs::pa
   if (!path.has_filename()) {
     throw Error(fmt::format("cannot write '{}': it does not name a file", path.string()));
   }
+  RemoveStaleTemporaries(path.parent_path());
   const fs::path temporary = TemporaryBeside(path);
   const auto remove = [&] {
     std::error_code ignored;
@@ -187,6 +178,7 @@ void RequireWritableFolder(const fs::path& folder) {
   if (!fs::is_directory(existing)) {
     fail(fmt::format("'{}' is not a folder", existing.string()));
   }
+  RemoveStaleTemporaries(existing);
   const fs::path probe = TemporaryBeside(existing / "probe");
   const Descriptor file(probe, O_WRONLY | O_CREAT | O_EXCL, 0600);
   if (!file.ok()) {

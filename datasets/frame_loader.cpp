@@ -61,7 +61,7 @@ class FrameReader {
  private:
   // NaN where the motion is invalid.
   Image MotionOrNan(MotionStream stream, GridSize grid) const {
-    Image motion(grid.width, grid.height, 2);
+    Image motion;  // made once there is a file of that size
     if (!stream.path.empty()) {
       const fs::path path = PathOf(stream.path);
       if (HasExtension(path, ".flo") && !stream.invalid) stream.invalid.emplace();
@@ -70,6 +70,7 @@ class FrameReader {
       if (has_validity) channels.push_back(stream.invalid->channel);
       Check(path, grid, channels, 2, stream.encoding);
       const Image read = ReadImage(path, channels, Values::kAll);
+      motion = Image(grid.width, grid.height, 2);
       for (int c = 0; c < 2; ++c) DecodeMotion(Channel(read, c), stream, c, path.string(), &motion);
       for (std::size_t i = 0; has_validity && i < motion.pixels(); ++i) {
         const float valid = read.data[3 * i + 2];
@@ -84,7 +85,9 @@ class FrameReader {
         channels = {channels[static_cast<std::size_t>(c)]};
       }
       Check(path, grid, channels, 1, stream.encoding);
-      DecodeMotion(ReadImage(path, channels, Values::kAll), stream, c, path.string(), &motion);
+      const Image read = ReadImage(path, channels, Values::kAll);
+      if (motion.empty()) motion = Image(grid.width, grid.height, 2);
+      DecodeMotion(read, stream, c, path.string(), &motion);
     }
     return motion;
   }

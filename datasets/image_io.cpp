@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "datasets/error.h"
+#include "datasets/exr_header.h"
 #include "datasets/file.h"
 #include "datasets/flo_file.h"
 #include "datasets/image_message.h"
@@ -129,6 +130,17 @@ void CheckSpec(const fs::path& path, const OIIO::ImageSpec& spec) {
   }
 }
 
+// Deflate makes at most 1032 bytes of one, and a palette of one bit makes 32 values of each: a PNG
+// file that is too short for its size is refused before memory of that size is taken.
+void CheckPngLength(const fs::path& path, const OIIO::ImageInput& input) {
+  constexpr std::uintmax_t kMostFromOne = 1032 * 32;
+  if (std::string_view(input.format_name()) != "png") return;
+  const std::uintmax_t length = fs::file_size(path), needed = input.spec().image_bytes(true);
+  if (needed / kMostFromOne <= length) return;
+  FailRead(path, fmt::format("it is {} bytes long; expected more for {} x {} pixels", length,
+                             input.spec().width, input.spec().height));
+}
+
 // With `any_number` a part whose channels are not named may have any number of them, of any name.
 OpenPart Open(const fs::path& path, const std::vector<std::string>& channels, bool any_number) {
   std::error_code ignored;
@@ -136,6 +148,7 @@ OpenPart Open(const fs::path& path, const std::vector<std::string>& channels, bo
   if (!fs::exists(status)) FailRead(path, "it does not exist");
   if (!fs::is_regular_file(status)) FailRead(path, "it is not a regular file");
 
+  CheckExrHeader(path);
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);  // alpha and colour as stored
   OpenPart open;
@@ -147,6 +160,7 @@ OpenPart Open(const fs::path& path, const std::vector<std::string>& channels, bo
     open.wanted = std::move(wanted);
     CheckSpec(path, open.spec);
   };
+  CheckPngLength(path, *open.input);
   if (channels.empty()) {
     CheckSpec(path, open.input->spec());
     take(0, any_number ? std::vector<int>()
@@ -222,52 +236,77 @@ std::vector<int> FloChannels(const fs::path& path, const std::vector<std::string
   return wanted;
 }
 
-// One channel of the data window, by its own type: integers of OpenEXR are numbers, not shares of
-// the largest.
-void ReadChannel(const OpenPart& open, int channel, bool* ok, std::vector<float>* values) {
-  const std::size_t pixels = static_cast<std::size_t>(open.spec.width) * open.spec.height;
-  values->resize(pixels);
-  if (open.spec.channelformat(channel) != OIIO::TypeDesc::UINT32) {
-    *ok = open.input->read_image(open.part, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT,
-                                 values->data());
-    return;
-  }
-  std::vector<std::uint32_t> integers(pixels);
-  *ok = open.input->read_image(open.part, 0, channel, channel + 1, OIIO::TypeDesc::UINT32,
-                               integers.data());
-  std::transform(integers.begin(), integers.end(), values->begin(),
-                 [](std::uint32_t v) { return static_cast<float>(v); });
+// Most bytes of values that one call reads: a header that promises more than its file holds costs
+// no more than that.
+constexpr std::size_t kMaxBandBytes = std::size_t{1} << 24;
+constexpr int kMaxBandRows = 256;  // as many as the tallest blocks of lines that OpenEXR has
+
+// Rows that are read at once, of which each has `row_bytes`; whole tiles.
+int BandRows(const OIIO::ImageSpec& spec, std::size_t row_bytes) {
+  const auto fit = static_cast<int>(std::min<std::size_t>(kMaxBandRows, kMaxBandBytes / row_bytes));
+  const int least = std::max(1, spec.tile_width > 0 ? spec.tile_height : 1);
+  return std::max(least, fit / least * least);
 }
 
-// The wanted channels of the data window.
+// The channels from `begin` to `end` of `rows` rows from row `y` of the data window.
+bool ReadRows(const OpenPart& open, int y, int rows, int begin, int end, OIIO::TypeDesc type,
+              void* values) {
+  const OIIO::ImageSpec& spec = open.spec;
+  const int first = spec.y + y;
+  if (spec.tile_width == 0) {
+    return open.input->read_scanlines(open.part, 0, first, first + rows, spec.z, begin, end, type,
+                                      values);
+  }
+  return open.input->read_tiles(open.part, 0, spec.x, spec.x + spec.width, first, first + rows,
+                                spec.z, spec.z + 1, begin, end, type, values);
+}
+
+// The wanted channels of the data window, in memory that grows with what was read. Integers of
+// OpenEXR are numbers, not shares of the largest.
 Image ReadPart(const fs::path& path, const OpenPart& open) {
   const OIIO::ImageSpec& spec = open.spec;
-  const auto check = [&](bool ok) {
-    // A reader that fills what is missing still leaves a message.
-    if (!ok || open.input->has_error()) FailRead(path, ImageMessage(open.input->geterror()));
+  const bool is_exr = IsOpenExr(*open.input);
+  const auto is_number = [&](int c) {
+    return is_exr && spec.channelformat(c) == OIIO::TypeDesc::UINT32;
   };
-  const bool numbers =
-      IsOpenExr(*open.input) && std::any_of(open.wanted.begin(), open.wanted.end(), [&](int c) {
-        return spec.channelformat(c) == OIIO::TypeDesc::UINT32;
-      });
-  if (!numbers) {
-    const auto [low, high] = std::minmax_element(open.wanted.begin(), open.wanted.end());
-    const int begin = *low, end = *high + 1;
-    Image read(spec.width, spec.height, end - begin);
-    check(
-        open.input->read_image(open.part, 0, begin, end, OIIO::TypeDesc::FLOAT, read.data.data()));
-    std::vector<int> places = open.wanted;
-    for (int& place : places) place -= begin;
-    return TakeChannels(std::move(read), places);
-  }
-  Image image(spec.width, spec.height, static_cast<int>(open.wanted.size()));
+  const bool numbers = std::any_of(open.wanted.begin(), open.wanted.end(), is_number);
+  const auto [low, high] = std::minmax_element(open.wanted.begin(), open.wanted.end());
+  const auto width = static_cast<std::size_t>(spec.width), channels = open.wanted.size();
+  const std::size_t stride = numbers ? 1 : static_cast<std::size_t>(*high + 1 - *low);
+  const int band = BandRows(spec, sizeof(float) * width * stride);
+  Image image;
+  image.width = spec.width;
+  image.height = spec.height;
+  image.channels = static_cast<int>(channels);
   std::vector<float> values;
-  for (std::size_t c = 0; c < open.wanted.size(); ++c) {
-    bool ok = false;
-    ReadChannel(open, open.wanted[c], &ok, &values);
-    check(ok);
-    for (std::size_t p = 0; p < values.size(); ++p) {
-      image.data[p * open.wanted.size() + c] = values[p];
+  std::vector<std::uint32_t> integers;
+  for (int y = 0; y < spec.height; y += band) {
+    const int rows = std::min(band, spec.height - y);
+    const std::size_t pixels = width * static_cast<std::size_t>(rows), done = image.data.size();
+    const auto check = [&](bool ok) {
+      // A reader that fills what is missing still leaves a message.
+      if (!ok || open.input->has_error()) FailRead(path, ImageMessage(open.input->geterror()));
+    };
+    values.resize(pixels * stride);
+    if (!numbers) {
+      check(ReadRows(open, y, rows, *low, *high + 1, OIIO::TypeDesc::FLOAT, values.data()));
+    }
+    image.data.resize(done + pixels * channels);
+    for (std::size_t c = 0; c < channels; ++c) {
+      const int channel = open.wanted[c];
+      if (numbers && is_number(channel)) {
+        integers.resize(pixels);
+        check(
+            ReadRows(open, y, rows, channel, channel + 1, OIIO::TypeDesc::UINT32, integers.data()));
+        std::transform(integers.begin(), integers.end(), values.begin(),
+                       [](std::uint32_t v) { return static_cast<float>(v); });
+      } else if (numbers) {
+        check(ReadRows(open, y, rows, channel, channel + 1, OIIO::TypeDesc::FLOAT, values.data()));
+      }
+      const std::size_t place = numbers ? 0 : static_cast<std::size_t>(channel - *low);
+      for (std::size_t p = 0; p < pixels; ++p) {
+        image.data[done + p * channels + c] = values[p * stride + place];
+      }
     }
   }
   return image;

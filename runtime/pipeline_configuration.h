@@ -75,13 +75,31 @@ struct PipelineConfiguration {
   FrameGenerationConfiguration generation = {};
 };
 
+// FNV-1a of the members of a configuration, after those of `digest`.
+namespace pipeline_digest {
+
+constexpr std::uint64_t Number(bool is_contained) { return is_contained ? 1 : 0; }
+template <class T>
+constexpr std::uint64_t Number(const std::optional<T>& choice) {
+  return choice.has_value() ? 1 + static_cast<std::uint64_t>(*choice) : 0;
+}
+
+template <class... T>
+constexpr std::uint64_t Added(std::uint64_t digest, const T&... members) {
+  ((digest = (digest ^ Number(members)) * 0x100000001B3u), ...);
+  return digest;
+}
+
+}  // namespace pipeline_digest
+
 // A number that tells configurations apart: FNV-1a over all members, in their order.
 class PipelineDigest {
  public:
   constexpr explicit PipelineDigest(const PipelineConfiguration& whole) {
     const auto& [super_resolution, interpolation, extrapolation, reference, filter, lookup, sr,
                  generation] = whole;
-    Add(super_resolution, interpolation, extrapolation, reference, filter, lookup);
+    value_ = pipeline_digest::Added(value_, super_resolution, interpolation, extrapolation,
+                                    reference, filter, lookup);
     AddMembers(sr);
     AddMembers(generation);
   }
@@ -92,25 +110,16 @@ class PipelineDigest {
   constexpr void AddMembers(const SuperResolutionConfiguration& sr) {
     const auto& [form, history, clamp, depth, motion, motion_filter, current, history_format,
                  color_format, output_format, encoding] = sr;
-    Add(form, history, clamp, depth, motion, motion_filter, current, history_format, color_format,
-        output_format, encoding);
+    value_ = pipeline_digest::Added(value_, form, history, clamp, depth, motion, motion_filter,
+                                    current, history_format, color_format, output_format, encoding);
   }
   constexpr void AddMembers(const FrameGenerationConfiguration& generation) {
     const auto& [motion_model, splat, refine, fill, depth, brightness_gate, motion_filter,
                  color_format, output_format, encoding] = generation;
-    Add(motion_model, splat, refine, fill, depth, brightness_gate, motion_filter, color_format,
-        output_format, encoding);
+    value_ =
+        pipeline_digest::Added(value_, motion_model, splat, refine, fill, depth, brightness_gate,
+                               motion_filter, color_format, output_format, encoding);
   }
-  template <class... T>
-  constexpr void Add(const T&... members) {
-    ((value_ = (value_ ^ Number(members)) * 0x100000001B3u), ...);
-  }
-  static constexpr std::uint64_t Number(bool is_contained) { return is_contained ? 1 : 0; }
-  template <class T>
-  static constexpr std::uint64_t Number(const std::optional<T>& choice) {
-    return choice.has_value() ? 1 + static_cast<std::uint64_t>(*choice) : 0;
-  }
-
   std::uint64_t value_ = 0xCBF29CE484222325u;
 };
 

@@ -2,7 +2,7 @@
 # Installs what is missing, builds and runs every test. The last line is 'N passed, N failed, N
 # skipped'. usage: tools/test.sh [--full | --arm64]
 #   --full    also builds and tests under the sanitizers and the runtime alone, as continuous
-#             integration does
+#             integration does, and runs the fuzzers if clang++ is there
 #   --arm64   instead builds the runtime alone for 64-bit ARM and runs its tests in QEMU
 # A build that fails counts as one failed test. Tests on recorded sequences run if WARPLUT_DATA
 # names their folder.
@@ -18,6 +18,7 @@ case "${1:-}" in
 esac
 
 jobs=$(nproc)
+fuzz_seconds=15 # of each target
 passed=0
 failed=0
 skipped=0
@@ -85,8 +86,14 @@ run_tests ci
 if [ "$what" = --full ]; then
   configure_and_build runtime-only
   run_tests runtime-only
-  configure_and_build asan-ubsan test_datasets test_luts test_runtime test_sr test_generation test_stability \
-    test_train
+  configure_and_build asan-ubsan test_compatibility test_datasets test_fuzz test_generation test_luts \
+    test_runtime test_soak test_sr test_stability test_train
   run_tests asan-ubsan --exclude-regex '_NOT_BUILT$'
+  if command -v clang++ > /dev/null; then
+    step "fuzz"
+    if tools/measure/fuzz.sh "$fuzz_seconds"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+  else
+    echo "test.sh: clang++ is not installed; fuzzers are not run, only their corpora."
+  fi
 fi
 step "done"

@@ -22,10 +22,13 @@ namespace {
 // The commands whose work ranks share.
 constexpr std::string_view kShared[] = {"train", "calibrate", "dataset"};
 
-// Prints "warplut: SENTENCE" on standard error, in one line that ends with a full stop.
+// Prints "warplut: SENTENCE" on standard error, in one line that ends with a full stop. Text of a
+// file that is in it cannot control a terminal, nor fill it.
 void PrintError(std::string sentence) {
+  constexpr std::size_t kLongest = 8192;  // bytes, more than two of the longest paths
+  if (sentence.size() > kLongest) sentence = sentence.substr(0, kLongest) + "...";
   for (char& c : sentence) {
-    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
   }
   while (!sentence.empty() && sentence.back() == ' ') sentence.pop_back();
   if (sentence.empty()) sentence = "unknown error";
