@@ -83,6 +83,13 @@ double ValueOf(double d, const DepthStream& s) {
   return std::fmin(std::fmax(z, 0), 1);
 }
 
+// The stated value or beyond it; within 1e-6 of it, so that half floats of it hit.
+bool IsBackground(double z, const DepthStream& s) {
+  if (!s.background) return false;
+  const double slack = 1e-6 * std::max(1.0, std::abs(*s.background));
+  return s.kind == DepthKind::kReversed ? z <= *s.background + slack : z >= *s.background - slack;
+}
+
 bool IsOneOf(const std::vector<double>& values, double v) {
   constexpr double kSame = 1e-6;
   return std::any_of(values.begin(), values.end(), [&](double value) {
@@ -125,6 +132,10 @@ Image DecodeDepth(const Image& stored, const DepthStream& stream, const std::str
   const std::size_t pixels = stored.pixels();
   for (std::size_t i = 0; i < pixels; ++i) {
     double z = stream.scale * Stored(stored, i, stream.encoding) + stream.bias;
+    if (IsBackground(z, stream)) {
+      depth.data[i] = std::isinf(stream.far) ? std::numeric_limits<float>::infinity() : 1.0F;
+      continue;
+    }
     if (stream.kind != DepthKind::kLinear) {
       if (!(z >= -kHyperbolicSlack && z <= 1 + kHyperbolicSlack)) {
         Refuse(what, stored, i, z, "a depth buffer value from 0 to 1");

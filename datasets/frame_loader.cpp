@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
+#include "datasets/camera_fill.h"
 #include "datasets/encoding.h"
 #include "datasets/error.h"
 #include "datasets/file.h"
+#include "datasets/forward_flow.h"
 #include "datasets/frame_pattern.h"
 #include "datasets/image_io.h"
 #include "datasets/sequence.h"
@@ -51,14 +55,6 @@ class FrameReader {
     return DecodeDepth(ReadImage(path, stream.channels, Values::kAll), stream, path.string());
   }
 
-  // (0, 0) where the motion is invalid.
-  Image Motion(const MotionStream& stream, GridSize grid) const {
-    Image motion = MotionOrNan(stream, grid);
-    ClearInvalid(&motion);
-    return motion;
-  }
-
- private:
   // NaN where the motion is invalid.
   Image MotionOrNan(MotionStream stream, GridSize grid) const {
     Image motion;  // made once there is a file of that size
@@ -92,6 +88,7 @@ class FrameReader {
     return motion;
   }
 
+ private:
   fs::path PathOf(const std::string& pattern) const {
     return sequence_.folder / FrameFileName(pattern, number_);
   }
@@ -164,6 +161,78 @@ void CheckIndex(const Sequence& s, int index) {
   }
 }
 
+// The motion of one grid of a frame, whichever files it is in.
+class MotionLoader {
+ public:
+  MotionLoader(const Sequence& sequence, bool output)
+      : sequence_(sequence),
+        stream_(output ? *sequence.reference_motion : *sequence.motion),
+        depth_(output ? sequence.reference_depth : sequence.depth),
+        grid_(output ? sequence.output : sequence.render),
+        jittered_(!output) {}
+
+  // (0, 0) where there is none and the camera does not tell.
+  Image Load(int index, bool cut) const {
+    Image motion = Stored(index);
+    if (!cut && index > 0) FillFromCamera(index, &motion);
+    ClearInvalid(&motion);
+    return motion;
+  }
+
+ private:
+  // NaN where there is none.
+  Image Stored(int index) const {
+    const bool forward = stream_.direction == MotionDirection::kCurrentToNext;
+    const int at = forward ? index - 1 : index;  // the frame whose pixels the file has
+    const int file = at + stream_.frame_offset;
+    if (at < 0 || file < 0 || file >= sequence_.count) {
+      Image none(grid_.width, grid_.height, 2);
+      std::fill(none.data.begin(), none.data.end(), std::nanf(""));
+      return none;
+    }
+    Image motion = FrameReader(sequence_, sequence_.Number(file)).MotionOrNan(stream_, grid_);
+    if (stream_.contains_jitter && index > 0) {
+      const Vec2 now = JitterOf(index), before = JitterOf(index - 1);
+      for (std::size_t i = 0; i < motion.data.size(); i += 2) {
+        motion.data[i] += static_cast<float>(now.x - before.x);
+        motion.data[i + 1] += static_cast<float>(now.y - before.y);
+      }
+    }
+    return forward ? MotionOfForwardFlow(motion, depth_ ? DepthOf(at) : Image()) : motion;
+  }
+
+  // Depth that cannot be read is a fault of its own stream, found where that is loaded.
+  void FillFromCamera(int index, Image* motion) const {
+    if (sequence_.camera.empty() || !depth_ || !MayMissMotion(*motion)) return;
+    const auto i = static_cast<std::size_t>(index);
+    const CameraStep step(sequence_.camera[i - 1], sequence_.camera[i], grid_.width, grid_.height,
+                          jittered_ ? JitterOf(index) : Vec2{});
+    if (!step.Valid() || step.AtRest()) return;
+    const bool finite = std::isfinite(depth_->far);
+    try {
+      FillMissingMotion(step, DepthOf(index), finite ? depth_->far : depth_->near,
+                        finite ? 1 : std::numeric_limits<double>::infinity(), motion);
+    } catch (const Error&) {
+      return;
+    }
+  }
+
+  Image DepthOf(int index) const {
+    return FrameReader(sequence_, sequence_.Number(index)).Depth(*depth_, grid_);
+  }
+
+  Vec2 JitterOf(int index) const {
+    const auto& jitter = sequence_.jitter;
+    return jitter.empty() ? Vec2{} : jitter[static_cast<std::size_t>(index) % jitter.size()];
+  }
+
+  const Sequence& sequence_;
+  const MotionStream& stream_;
+  const std::optional<DepthStream>& depth_;
+  GridSize grid_;
+  bool jittered_;
+};
+
 }  // namespace
 
 Streams AvailableStreams(const Sequence& s) {
@@ -188,7 +257,7 @@ std::vector<fs::path> FrameFiles(const Sequence& s, int index, Streams which) {
   CheckIndex(s, index);
   std::vector<fs::path> files;
   const auto add = [&](const std::string& pattern) {
-    if (!pattern.empty()) files.push_back(s.folder / FrameFileName(pattern, s.first + index));
+    if (!pattern.empty()) files.push_back(s.folder / FrameFileName(pattern, s.Number(index)));
   };
   const auto add_stream = [&](Streams stream, const auto& described) {
     if (Contains(which, stream) && described) add(described->path);
@@ -219,7 +288,7 @@ Frame LoadFrame(const Sequence& s, int index, Streams which) {
     }
   }
   Frame frame;
-  frame.number = s.first + index;
+  frame.number = s.Number(index);
   frame.cut = std::binary_search(s.cuts.begin(), s.cuts.end(), frame.number);
   const auto i = static_cast<std::size_t>(index);
   if (!s.jitter.empty()) frame.jitter = s.jitter[i % s.jitter.size()];
@@ -229,12 +298,12 @@ Frame LoadFrame(const Sequence& s, int index, Streams which) {
   const auto wants = [&](Streams stream) { return Contains(which, stream); };
   if (wants(Streams::kColor)) frame.color = reader.Color(s.color, s.render);
   if (wants(Streams::kDepth)) frame.depth = reader.Depth(*s.depth, s.render);
-  if (wants(Streams::kMotion)) frame.motion = reader.Motion(*s.motion, s.render);
+  if (wants(Streams::kMotion)) frame.motion = MotionLoader(s, false).Load(index, frame.cut);
   if (wants(Streams::kReference)) frame.reference = reader.Color(*s.reference, s.output);
   if (wants(Streams::kReferenceDepth))
     frame.reference_depth = reader.Depth(*s.reference_depth, s.output);
   if (wants(Streams::kReferenceMotion)) {
-    frame.reference_motion = reader.Motion(*s.reference_motion, s.output);
+    frame.reference_motion = MotionLoader(s, true).Load(index, frame.cut);
   }
   return frame;
 }

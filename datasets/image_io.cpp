@@ -326,6 +326,25 @@ Image DisplayWindow(Image data, const OIIO::ImageSpec& spec) {
 
 }  // namespace
 
+std::vector<ImagePart> ReadImageParts(const fs::path& path) {
+  if (HasExtension(path, ".flo")) {
+    const ImageInfo info = ReadFloInfo(path);
+    return {{"", info.width, info.height, info.channels, {"float", "float"}}};
+  }
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) FailRead(path, "it does not exist");
+  const auto input = OIIO::ImageInput::open(path.string());
+  if (!input) FailRead(path, ImageMessage(OIIO::geterror()));
+  std::vector<ImagePart> parts;
+  for (int part = 0; input->seek_subimage(part, 0); ++part) {
+    const OIIO::ImageSpec spec = input->spec(part);
+    ImagePart& out = parts.emplace_back(
+        ImagePart{PartName(spec), spec.full_width, spec.full_height, spec.channelnames, {}});
+    for (int c = 0; c < spec.nchannels; ++c) out.types.emplace_back(spec.channelformat(c).c_str());
+  }
+  return parts;
+}
+
 ImageInfo ReadImageInfo(const fs::path& path, const std::vector<std::string>& channels) {
   if (HasExtension(path, ".flo")) return ReadFloInfo(path);
   const OpenPart open = Open(path, channels, true);

@@ -29,6 +29,17 @@ struct ImageInfo {
 ImageInfo ReadImageInfo(const std::filesystem::path& path,
                         const std::vector<std::string>& channels = {});
 
+// One part of a file, as its header says.
+struct ImagePart {
+  std::string name;  // empty: it has none
+  int width = 0, height = 0;
+  std::vector<std::string> channels;
+  std::vector<std::string> types;  // of each channel: "half", "float", "uint", "uint8", ...
+};
+
+// All parts of a file. Errors as ReadImageInfo; deep data and sizes are not refused.
+std::vector<ImagePart> ReadImageParts(const std::filesystem::path& path);
+
 // The values that a caller takes; kNumbers are all but NaN.
 enum class Values : std::uint8_t { kFinite, kNumbers, kAll };
 

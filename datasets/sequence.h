@@ -1,5 +1,5 @@
-// A sequence on disk: its manifest, sequence.json version 1, and its frames. docs/FORMATS.md is the
-// users' page.
+// A sequence on disk: its manifest, sequence.json version 1 or 2, and its frames.
+// docs/FORMATS.md is the users' page.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,8 @@ enum class ColorSpace : std::uint8_t { kSrgb, kLinear };
 // The manifest, as plain values. color, depth and motion are on the render grid, reference* on the
 // output grid.
 struct Sequence {
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 1;        // the least that a manifest is written in
+  static constexpr int kLatestVersion = 2;  // fields that version 1 lacks: UsesVersion2
   static constexpr const char* kFormat = "warplut-sequence";
   static constexpr const char* kManifest = "sequence.json";
   static constexpr double kMinScale = 1, kMaxScale = 4;  // output / render, in each axis
@@ -34,6 +35,7 @@ struct Sequence {
   std::string name;              // not empty, no '/' and no control characters
   int first = 0;                 // number of frame index 0
   int count = 0;
+  std::vector<int> numbers;  // of each frame, ascending, from `first`; empty: without gaps
   GridSize render;
   GridSize output;
   ColorSpace color_space = ColorSpace::kSrgb;
@@ -48,6 +50,15 @@ struct Sequence {
   std::vector<Vec2> jitter;    // of frame index i: [i % size], render pixels, y down; empty: none
   std::vector<Camera> camera;  // one for each frame, or empty
   std::vector<int> cuts;       // frame numbers, ascending, each once
+
+  // The number of the frame at `index`, as in its files' names, and that of the last frame.
+  int Number(int index) const {
+    return numbers.empty() ? first + index : numbers[static_cast<std::size_t>(index)];
+  }
+  int LastNumber() const { return Number(count - 1); }
+
+  // Whether a field is used that version 1 of the manifest lacks.
+  bool UsesVersion2() const;
 
   // Whether every value is in its range; if not and `why` is given, *why names the field, what it
   // is and what was expected.
@@ -75,6 +86,10 @@ std::vector<std::filesystem::path> SequencesBelow(const std::filesystem::path& f
 // not valid.
 std::string SequenceJson(const Sequence& sequence);
 
+// Forward flow becomes motion of the frame that it leads to (datasets/forward_flow.h). Motion that
+// is missing is that of the camera, where the sequence has cameras and depth (datasets/
+// camera_fill.h); elsewhere it is (0, 0). Frames whose motion lies in no file have none.
+//
 // Reads the streams `which` of the frame at `index` (0 to count - 1), converted to the convention
 // of datasets/frame.h as datasets/encoding.h describes; only their files are opened. Grey colour is
 // copied to R, G and B; alpha is dropped. Number, cut, jitter and camera are always set. Frame 0 is

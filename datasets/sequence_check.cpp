@@ -93,6 +93,9 @@ void CheckDepth(const DepthStream& d, const std::string& stream) {
   Check(d.far > d.near, stream + ".far", d.far, fmt::format("more than near, {}", d.near));
   Check(d.kind == DepthKind::kReversed || std::isfinite(d.far), stream + ".far", d.far,
         "a number, as only reversed depth may be infinite");
+  if (d.background) {
+    Check(std::isfinite(*d.background), stream + ".background", *d.background, "a finite number");
+  }
 }
 
 void CheckInvalid(const MotionStream& m, const std::string& stream) {
@@ -131,6 +134,7 @@ void CheckMotion(const MotionStream& m, const std::string& stream) {
   CheckChannels(m.channels, m.encoding == Encoding::kFloat ? 2 : 4, stream + ".channels");
   for (std::size_t c = 0; c < 2; ++c) CheckScale(m.scale[c], m.bias[c], stream);
   if (m.invalid) CheckInvalid(m, stream);
+  Check(std::abs(m.frame_offset) <= 1, stream + ".frame_offset", m.frame_offset, "-1, 0 or 1");
 }
 
 void CheckJitter(const std::vector<Vec2>& jitter) {
@@ -156,12 +160,25 @@ void CheckCamera(const Sequence& s) {
   }
 }
 
+void CheckNumbers(const Sequence& s) {
+  if (s.numbers.empty()) return;
+  const auto length = static_cast<int>(s.numbers.size());
+  Check(length == s.count && s.numbers.front() == s.first, "frames.numbers", length,
+        fmt::format("{} numbers that begin with {}", s.count, s.first));
+  for (std::size_t i = 1; i < s.numbers.size(); ++i) {
+    Check(s.numbers[i] > s.numbers[i - 1], fmt::format("frames.numbers[{}]", i), s.numbers[i],
+          "more than the one before it");
+  }
+}
+
 void CheckCuts(const Sequence& s) {
   for (std::size_t i = 0; i < s.cuts.size(); ++i) {
     const std::string field = fmt::format("cuts[{}]", i);
     const int cut = s.cuts[i];
-    Check(cut >= s.first && cut - s.first < s.count, field, cut,
-          fmt::format("a frame number from {} to {}", s.first, s.first + s.count - 1));
+    const bool there = s.numbers.empty()
+                           ? cut >= s.first && cut - s.first < s.count
+                           : std::binary_search(s.numbers.begin(), s.numbers.end(), cut);
+    Check(there, field, cut, fmt::format("a frame number from {} to {}", s.first, s.LastNumber()));
     Check(i == 0 || cut > s.cuts[i - 1], field, cut, "more than the one before it");
   }
 }
@@ -173,19 +190,36 @@ void CheckSequence(const Sequence& s) {
         fmt::format("1 to {}", Sequence::kMaxFrames));
   Check(s.first <= std::numeric_limits<int>::max() - s.count, "frames.first", s.first,
         "frame numbers below 2^31");
+  CheckNumbers(s);
   CheckGrids(s);
   CheckColor(s.color, "streams.color");
   if (s.depth) CheckDepth(*s.depth, "streams.depth");
   if (s.motion) CheckMotion(*s.motion, "streams.motion");
   if (s.reference) CheckColor(*s.reference, "streams.reference");
   if (s.reference_depth) CheckDepth(*s.reference_depth, "streams.reference_depth");
-  if (s.reference_motion) CheckMotion(*s.reference_motion, "streams.reference_motion");
+  if (s.reference_motion) {
+    CheckMotion(*s.reference_motion, "streams.reference_motion");
+    if (s.reference_motion->contains_jitter) {
+      Refuse("streams.reference_motion.jitter",
+             "is \"included\"; expected none, as references have no jitter");
+    }
+  }
   CheckJitter(s.jitter);
   CheckCamera(s);
   CheckCuts(s);
 }
 
 }  // namespace
+
+bool Sequence::UsesVersion2() const {
+  const auto stored_apart = [](const std::optional<MotionStream>& m) {
+    return m && (m->direction == MotionDirection::kCurrentToNext || m->frame_offset != 0 ||
+                 m->contains_jitter);
+  };
+  return !numbers.empty() || (depth && depth->background) ||
+         (reference_depth && reference_depth->background) || stored_apart(motion) ||
+         stored_apart(reference_motion);
+}
 
 bool Sequence::IsValid(std::string* why) const {
   try {

@@ -26,9 +26,11 @@ constexpr Names<DepthKind, 3> kDepthKinds{{{DepthKind::kLinear, "linear"},
                                            {DepthKind::kReversed, "reversed"}}};
 constexpr Names<MotionUnits, 3> kMotionUnits{
     {{MotionUnits::kPixels, "pixels"}, {MotionUnits::kUv, "uv"}, {MotionUnits::kNdc, "ndc"}}};
-constexpr Names<MotionDirection, 2> kDirections{
+constexpr Names<MotionDirection, 3> kDirections{
     {{MotionDirection::kPreviousToCurrent, "previous-to-current"},
-     {MotionDirection::kCurrentToPrevious, "current-to-previous"}}};
+     {MotionDirection::kCurrentToPrevious, "current-to-previous"},
+     {MotionDirection::kCurrentToNext, "current-to-next"}}};
+constexpr Names<bool, 2> kJitterIn{{{false, "excluded"}, {true, "included"}}};
 constexpr Names<YAxis, 2> kYAxes{{{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
 
 constexpr const char* kRenderGrid = "render";
@@ -102,6 +104,7 @@ DepthStream TakeDepth(JsonFields fields, const char* grid) {
   stream.near = fields.Number("near");
   stream.far =
       fields.Take("far").is_null() ? std::numeric_limits<double>::infinity() : fields.Number("far");
+  if (fields.Has("background")) stream.background = fields.Number("background");
   fields.Finish();
   return stream;
 }
@@ -146,6 +149,8 @@ MotionStream TakeMotion(JsonFields fields, const char* grid) {
   stream.direction = fields.OneOf("direction", kDirections);
   stream.y = fields.OneOf("y", kYAxes);
   if (fields.Has("invalid")) stream.invalid = TakeInvalid(fields);
+  if (fields.Has("frame_offset")) stream.frame_offset = fields.Integer("frame_offset");
+  if (fields.Has("jitter")) stream.contains_jitter = fields.OneOf("jitter", kJitterIn);
   fields.Finish();
   return stream;
 }
@@ -160,6 +165,23 @@ void TakeStreams(JsonFields fields, Sequence* s) {
   }
   if (fields.Has("reference_motion")) {
     s->reference_motion = TakeMotion(fields.Object("reference_motion"), kOutputGrid);
+  }
+  fields.Finish();
+}
+
+// `first` and `count`, or `numbers` with gaps.
+void TakeNumbers(JsonFields fields, Sequence* s) {
+  if (!fields.Has("numbers")) {
+    s->first = fields.Integer("first");
+    s->count = fields.Integer("count");
+  } else {
+    const JsonPlace at = fields.At("numbers");
+    for (const auto& number : at.Array(fields.Take("numbers"))) {
+      s->numbers.push_back(at.Element(s->numbers.size()).Integer(number));
+    }
+    if (s->numbers.empty()) at.Fail("has no values; expected the number of each frame");
+    s->first = s->numbers.front();
+    s->count = static_cast<int>(s->numbers.size());
   }
   fields.Finish();
 }
@@ -223,6 +245,7 @@ Json ToJson(const DepthStream& s, const char* grid) {
   json["kind"] = NameOf(kDepthKinds, s.kind);
   json["near"] = s.near;
   json["far"] = s.far;  // infinity becomes null
+  if (s.background) json["background"] = *s.background;
   return json;
 }
 
@@ -238,6 +261,8 @@ Json ToJson(const MotionStream& s, const char* grid) {
     json["invalid"] = s.invalid->channel.empty() ? Json(s.invalid->values)
                                                  : Json{{"channel", s.invalid->channel}};
   }
+  if (s.frame_offset != 0) json["frame_offset"] = s.frame_offset;
+  if (s.contains_jitter) json["jitter"] = NameOf(kJitterIn, true);
   return json;
 }
 
@@ -305,16 +330,12 @@ Sequence ReadSequence(const std::filesystem::path& path) {
 
   JsonFields root(json, JsonPlace(file, ""));
   TakeFixed(root, "format", Sequence::kFormat);
-  if (const int version = root.Integer("version"); version != Sequence::kVersion) {
-    root.At("version").Refuse(version, std::to_string(Sequence::kVersion));
-  }
+  const int version = root.Integer("version");
+  if (version != 1 && version != 2) root.At("version").Refuse(version, "1 or 2");
   Sequence s;
   s.folder = manifest.parent_path();
   s.name = root.Text("name");
-  JsonFields frames = root.Object("frames");
-  s.first = frames.Integer("first");
-  s.count = frames.Integer("count");
-  frames.Finish();
+  TakeNumbers(root.Object("frames"), &s);
   s.render = TakeGrid(root, "render");
   s.output = TakeGrid(root, "output");
   s.color_space = root.OneOf("color_space", kColorSpaces);
@@ -331,6 +352,8 @@ Sequence ReadSequence(const std::filesystem::path& path) {
     }
   }
   root.Finish();
+  if (version == 1 && s.UsesVersion2())
+    root.At("version").Fail("is 1, and the manifest has fields of version 2; expected 2");
   if (std::string why; !s.IsValid(&why)) throw Error(fmt::format("'{}': {}", file, why));
   return s;
 }
@@ -349,9 +372,10 @@ std::string SequenceJson(const Sequence& s) {
     return JsonText(Json{{"width", g.width}, {"height", g.height}});
   };
   add("format", JsonText(Json(Sequence::kFormat)));
-  add("version", std::to_string(Sequence::kVersion));
+  add("version", std::to_string(s.UsesVersion2() ? Sequence::kLatestVersion : Sequence::kVersion));
   add("name", JsonText(Json(s.name)));
-  add("frames", JsonText(Json{{"first", s.first}, {"count", s.count}}));
+  add("frames", JsonText(s.numbers.empty() ? Json{{"first", s.first}, {"count", s.count}}
+                                           : Json{{"numbers", s.numbers}}));
   add("render", size(s.render));
   add("output", size(s.output));
   add("color_space", JsonText(Json(NameOf(kColorSpaces, s.color_space))));

@@ -77,6 +77,19 @@ void CheckTargets(const Sequence& s) {
   }
 }
 
+// What only a reader understands: the file of a frame would need the motion of another one.
+void CheckMotionOfFrame(const Sequence& s) {
+  for (const auto* motion : {&s.motion, &s.reference_motion}) {
+    const bool own = !*motion || ((*motion)->direction != MotionDirection::kCurrentToNext &&
+                                  (*motion)->frame_offset == 0 && !(*motion)->contains_jitter);
+    if (own) continue;
+    throw Error(fmt::format(
+        "the sequence '{}' cannot be written: its motion is forward flow, of another frame or with "
+        "jitter; expected that of its own frame without jitter",
+        s.name));
+  }
+}
+
 // The streams of one frame, to files.
 class FrameWriter {
  public:
@@ -194,6 +207,7 @@ SequenceWriter::SequenceWriter(const fs::path& folder, Sequence sequence)
   sequence_.folder = folder;
   json_ = SequenceJson(sequence_);
   CheckTargets(sequence_);
+  CheckMotionOfFrame(sequence_);
   CreateFolder(folder);
   for (const fs::path& text : {manifest(), partial()}) {
     if (fs::exists(text) && ReadFile(text) != json_) {
@@ -232,7 +246,7 @@ void SequenceWriter::Write(int index, const Frame& frame) const {
     if (error)
       throw Error(fmt::format("cannot remove '{}': {}", manifest().string(), error.message()));
   }
-  const FrameWriter writer(s, s.first + index);
+  const FrameWriter writer(s, s.Number(index));
   writer.Color(s.color, frame.color, s.render, "color");
   if (s.depth) writer.Depth(*s.depth, frame.depth, s.render, "depth");
   if (s.motion) writer.Motion(*s.motion, frame.motion, s.render, "motion");

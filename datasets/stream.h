@@ -43,7 +43,12 @@ enum class DepthKind : std::uint8_t { kLinear, kForward, kReversed };
 
 // Units of motion: pixels of its own grid, or the whole image = 1 (uv) or = 2 (ndc).
 enum class MotionUnits : std::uint8_t { kPixels, kUv, kNdc };
-enum class MotionDirection : std::uint8_t { kPreviousToCurrent, kCurrentToPrevious };
+// kCurrentToNext is forward flow: what is seen at the pixel moves by so much until the next frame.
+enum class MotionDirection : std::uint8_t {
+  kPreviousToCurrent,
+  kCurrentToPrevious,
+  kCurrentToNext
+};
 enum class YAxis : std::uint8_t { kDown, kUp };
 
 // `path`, `path_x`, `path_y` are printf patterns (datasets/frame_pattern.h), relative to the
@@ -62,6 +67,9 @@ struct DepthStream {
   DepthKind kind = DepthKind::kLinear;
   double near = 0;  // > 0 unless linear
   double far = 1;   // > near; infinity only when reversed
+  // The stored value (after scale and bias) of what is infinitely far: it and what lies beyond it
+  // is background. Without it only depth at far or at +infinity is.
+  std::optional<double> background = {};
 };
 
 // Which pixels of a motion stream have no motion. A component that is NaN or infinite is invalid as
@@ -82,6 +90,12 @@ struct MotionStream {
   MotionDirection direction = MotionDirection::kPreviousToCurrent;
   YAxis y = YAxis::kDown;
   std::optional<InvalidMotion> invalid;  // without it NaN and infinity are refused
+  // The motion of frame index i is in the file of index i + frame_offset: 1 where files are one
+  // frame late, -1 where they are one early.
+  int frame_offset = 0;
+  // The motion is the difference of jittered positions: that of a still scene is the difference of
+  // the jitters. It is taken out where the motion is read. Not for the output grid.
+  bool contains_jitter = false;
 };
 
 }  // namespace warplut

@@ -17,7 +17,7 @@ enum class ExitCode : std::uint8_t {
   kDone = 0,
   kUsage = 1,   // the command line is wrong
   kFailed = 2,  // an input, the machine or an interruption stopped it
-  kMissed = 3,  // done, but a stated target was missed
+  kMissed = 3,  // done, but a stated target was missed, or a manifest is contradicted
 };
 
 // A command line that parses and still makes no sense; ends the program with kUsage.

@@ -1,4 +1,6 @@
-// warplut dataset: the built-in scenes, rendered; sequences on disk, inspected.
+// warplut dataset: the built-in scenes, rendered; sequences on disk, imported and inspected.
+#include "tools/command_dataset.h"
+
 #include <fmt/format.h>
 
 #include <memory>
@@ -9,9 +11,6 @@
 #include "tools/interrupt.h"
 #include "tools/progress.h"
 #include "tools/scene_rendering.h"
-#include "tools/sequence_inspection.h"
-#include "tools/table_text.h"
-#include "tools/warning.h"
 
 namespace warplut {
 namespace {
@@ -70,79 +69,6 @@ ExitCode RunScenes(bool json) {
   return ExitCode::kDone;
 }
 
-Json ToJson(const Sequence& sequence, const std::vector<StreamInspection>& streams) {
-  Json list = Json::array();
-  for (const StreamInspection& stream : streams) {
-    list.push_back({{"name", stream.name},
-                    {"frames", stream.frames},
-                    {"least", stream.least},
-                    {"greatest", stream.greatest},
-                    {"mean", stream.mean},
-                    {"problems", stream.problems}});
-  }
-  return {{"name", sequence.name},
-          {"first", sequence.first},
-          {"frames", sequence.count},
-          {"render", {sequence.render.width, sequence.render.height}},
-          {"output", {sequence.output.width, sequence.output.height}},
-          {"color_space", sequence.color_space == ColorSpace::kLinear ? "linear" : "srgb"},
-          {"jitter_offsets", sequence.jitter.size()},
-          {"cameras", sequence.camera.size()},
-          {"cuts", sequence.cuts},
-          {"streams", list}};
-}
-
-std::string ToText(const Sequence& sequence, const std::vector<StreamInspection>& streams) {
-  std::string text = fmt::format(
-      "{}: frames {} to {}, {} x {} rendered, {} x {} wanted, {} colour, {} jitter offsets, {}, {} "
-      "cuts\n",
-      sequence.name, sequence.first, sequence.first + sequence.count - 1, sequence.render.width,
-      sequence.render.height, sequence.output.width, sequence.output.height,
-      sequence.color_space == ColorSpace::kLinear ? "linear" : "srgb", sequence.jitter.size(),
-      sequence.camera.empty() ? "no cameras" : "cameras", sequence.cuts.size());
-  TextTable table{.header = {"stream", "frames", "least", "greatest", "mean"}, .rows = {}};
-  for (const StreamInspection& stream : streams) {
-    table.rows.push_back(
-        {stream.name, fmt::format("{}", stream.frames), fmt::format("{:.4g}", stream.least),
-         fmt::format("{:.4g}", stream.greatest), fmt::format("{:.4g}", stream.mean)});
-  }
-  text += ToText(table) + "Depth is without background; motion is its length in pixels.\n";
-  for (const StreamInspection& stream : streams) {
-    if (!stream.problems.empty()) text += ProblemText(stream) + "\n";
-  }
-  return text;
-}
-
-ExitCode RunInspect(const std::string& path, bool json) {
-  const Sequence sequence = ReadSequence(path);
-  const double loads =
-      static_cast<double>(StreamNames(AvailableStreams(sequence)).size()) * sequence.count;
-  std::vector<StreamInspection> streams;
-  {
-    Progress progress("inspecting", loads, "files");
-    streams = InspectSequence(sequence, [&] {
-      ThrowIfInterrupted("inspect", "nothing was printed");
-      progress.Add(1);
-    });
-  }
-  if (json) {
-    PrintJson(ToJson(sequence, streams));
-  } else {
-    Print(ToText(sequence, streams));
-  }
-  std::size_t problems = 0;
-  std::int64_t infinite = 0;
-  for (const StreamInspection& stream : streams) {
-    problems += stream.problems.size();
-    if (stream.name == "color" || stream.name == "reference") infinite += stream.infinite;
-  }
-  if (infinite > 0) WarnOfInfiniteColor(infinite, sequence.name);
-  if (problems > 0) {
-    throw Error(fmt::format("{} has {} missing or damaged frames of streams.", path, problems));
-  }
-  return ExitCode::kDone;
-}
-
 void AddRender(Command dataset, CommandRun* run) {
   const auto arguments = std::make_shared<RenderArguments>();
   RenderOptions& options = arguments->options;
@@ -173,7 +99,7 @@ void AddRender(Command dataset, CommandRun* run) {
 }  // namespace
 
 void AddDatasetCommand(Command app, CommandRun* run) {
-  Command dataset = app.AddCommand("dataset", "Make and inspect sequences of frames");
+  Command dataset = app.AddCommand("dataset", "Make, import and inspect sequences of frames");
   AddRender(dataset, run);
 
   const auto json = std::make_shared<bool>(false);
@@ -181,12 +107,8 @@ void AddDatasetCommand(Command app, CommandRun* run) {
   AddJsonOption(scenes, json.get());
   scenes.OnParsed([json, run] { *run = [json] { return RunScenes(*json); }; });
 
-  const auto path = std::make_shared<std::string>();
-  Command inspect =
-      dataset.AddCommand("inspect", "Load every frame and report missing and damaged files");
-  inspect.Add("sequence", *path, "Sequence to load: a sequence.json or its folder").Required();
-  AddJsonOption(inspect, json.get());
-  inspect.OnParsed([path, json, run] { *run = [path, json] { return RunInspect(*path, *json); }; });
+  AddInspectCommand(dataset, run);
+  AddImportCommand(dataset, run);
 }
 
 }  // namespace warplut

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -49,13 +50,22 @@ FrameRange ParseFrames(const std::string& text, const Sequence& sequence) {
     throw Error(fmt::format(
         "the frames are '{}'; expected A:B, the numbers of the first and the last", text));
   }
-  const int last = sequence.first + sequence.count - 1;
+  const int last = sequence.LastNumber();
   if (*a < sequence.first || *b > last) {
     throw Error(
         fmt::format("the sequence '{}' has frames {} to {}; the frames {} are not all there",
                     sequence.name, sequence.first, last, text));
   }
-  return {.first = *a - sequence.first, .count = *b - *a + 1};
+  if (sequence.numbers.empty()) return {.first = *a - sequence.first, .count = *b - *a + 1};
+  const auto& numbers = sequence.numbers;
+  const auto begin = std::lower_bound(numbers.begin(), numbers.end(), *a);
+  const auto end = std::upper_bound(numbers.begin(), numbers.end(), *b);
+  if (begin == end) {
+    throw Error(
+        fmt::format("the sequence '{}' has no frames from {} to {}", sequence.name, *a, *b));
+  }
+  return {.first = static_cast<int>(begin - numbers.begin()),
+          .count = static_cast<int>(end - begin)};
 }
 
 std::vector<std::string> HistoryFormatNames() {

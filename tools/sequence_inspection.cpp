@@ -101,6 +101,12 @@ std::string ProblemText(const StreamInspection& stream) {
                      more == 1 ? "frame" : "frames", stream.name);
 }
 
+Inspection InspectQuietly(const Sequence& sequence, const std::function<void()>& on_step,
+                          bool faults) {
+  const QuietStandardError quiet;
+  return Inspect(sequence, on_step, faults);
+}
+
 std::vector<StreamInspection> InspectSequence(const Sequence& sequence,
                                               const std::function<void()>& on_load) {
   const Streams available = AvailableStreams(sequence);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "datasets/sequence.h"
+#include "train/inspection/inspection.h"
 
 namespace warplut {
 
@@ -30,5 +31,10 @@ std::string ProblemText(const StreamInspection& stream);
 // it throws ends the inspection.
 std::vector<StreamInspection> InspectSequence(const Sequence& sequence,
                                               const std::function<void()>& on_load);
+
+// Inspect (train/inspection/inspection.h), with libraries that write of damaged files to standard
+// error kept quiet: InspectSequence tells of those.
+Inspection InspectQuietly(const Sequence& sequence, const std::function<void()>& on_step,
+                          bool faults);
 
 }  // namespace warplut

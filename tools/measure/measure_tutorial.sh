@@ -29,7 +29,7 @@ show() {
   {
     echo '```'
     echo "\$ $3"
-    cut -c 1-110 "$1.txt" | head -n "$2"
+    cut -c 1-120 "$1.txt" | head -n "$2"
     if [ "$(wc -l < "$1.txt")" -gt "$2" ]; then echo '...'; fi
     echo '```'
   } > "tables/tutorial-$1.md"
@@ -39,7 +39,7 @@ for scene in plaza colonnade; do
   warplut dataset render "$scene" --out my --width 320 --height 180 --frames 9 > /dev/null
 done
 show render 9 'warplut dataset render street --out my --width 320 --height 180 --frames 9'
-show inspect 9 'warplut dataset inspect my/street'
+show inspect 27 'warplut dataset inspect my/street'
 show judge 7 'warplut judge --sequence my/colonnade --modes sr,i \
     --lut luts/baked/warplut_iir_x2.json --pictures pictures'
 show train 9 'warplut train --scale 2 --data my/street my/plaza --out own_x2.json \
