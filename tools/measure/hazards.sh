@@ -129,7 +129,7 @@ while [ "$count" -lt "$times" ]; do
   ) &
   shrinker=$!
   for arguments in "dataset inspect shrinking" "run --sequence shrinking --mode isr --lut $lut --out shrunk" \
-    "eval --sequence shrinking --modes sr --lut $lut" "bake shrinking.json --out shrunk"; do
+    "judge --sequence shrinking --modes sr --lut $lut" "bake shrinking.json --out shrunk"; do
     status=0
     # shellcheck disable=SC2086 # options without spaces
     "$warplut" $arguments > out.log 2> err.log || status=$?
