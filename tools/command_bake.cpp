@@ -62,8 +62,9 @@ ExitCode RunBake(const BakeArguments& arguments) {
   WriteImage(out / (files.name + ".png"),
              LutPicture(table.view().footprint, NodeWeights(table.view())), PixelType::kUint8);
 
-  std::vector<std::string> endings = {".h", ".json", ".png"};
-  if (!files.exr.empty()) endings.insert(endings.begin() + 2, ".exr");
+  std::vector<std::string> endings;
+  for (const BakedFile& file : files.All()) endings.push_back(file.ending);
+  endings.emplace_back(".png");
   if (arguments.json) {
     Json written = Json::array();
     for (const std::string& ending : endings)
@@ -88,7 +89,7 @@ ExitCode RunBake(const BakeArguments& arguments) {
 void AddBakeCommand(Command app, CommandRun* run) {
   const auto arguments = std::make_shared<BakeArguments>();
   Command command = app.AddCommand(
-      "bake", "Write a fit as NAME.h, NAME.json, NAME.exr and NAME.png, with its certificate");
+      "bake", "Write a fit as a C++ header, JSON, shader sources, textures and a picture");
   command.Add("fit", arguments->fit, "Fit to bake (JSON)").Required();
   command.Add("--out", arguments->out, "Folder for the files").Required();
   command.Add("--format", arguments->format, "Storage format of the weights")

@@ -10,6 +10,9 @@
 #include "luts/bake/baked_header.h"
 #include "luts/bake/exr.h"
 #include "luts/bake/released_layout.h"
+#include "luts/bake/shader_source.h"
+#include "luts/bake/table_texture.h"
+#include "luts/bake/test_vectors.h"
 #include "luts/fit/fit_records.h"
 #include "luts/fit/json_header.h"
 #include "luts/fit/prefilter_json.h"
@@ -62,7 +65,40 @@ std::string BakedJson(const Fit& fit, const TableView& table, const Certificate&
   return text + " ]\n}\n";
 }
 
+// The halves that GPUs take, in every file that holds them.
+std::vector<BakedFile> GpuFiles(const Fit& fit, const Certificate& certificate) {
+  const BakedTable halves = QuantizeToHalves(SampleFit(fit, kNodes));
+  const Table table(halves.view());
+  const TableTexture texture = TextureOf(table);
+  nlohmann::ordered_json known = ToJson(Certificate{
+      CertifyStability(halves.view(), certificate.stability.blend), certificate.lookup_errors});
+  known.erase("node_gains");
+  KeyValues values = {{"KTXorientation", "rd"},
+                      {"KTXwriter", "warplut bake"},
+                      {"warplutCertificate", known.dump()}};
+  if (HasPrefilter(table.prefilter()))
+    values.emplace_back("warplutPrefilter", ToJson(table.prefilter()).dump());
+  values.emplace_back("warplutProvenance", Provenance(fit).dump());
+  values.emplace_back("warplutTaps", std::to_string(TapCount(table.footprint())));
+  std::vector<BakedFile> files = {{".ktx2", EncodeKtx2(texture, values)},
+                                  {".dds", EncodeDds(texture)},
+                                  {".bin", EncodeTableFile(texture, table.prefilter())},
+                                  {".test.json", TestVectors(fit.name, table)}};
+  if (!HasShaderSource(table.footprint())) return files;
+  const std::string banner = HeaderBanner(fit, certificate);
+  files.push_back({".glsl", ShaderSource(fit.name, banner, table, ShaderLanguage::kGlsl)});
+  files.push_back({".hlsl", ShaderSource(fit.name, banner, table, ShaderLanguage::kHlsl)});
+  return files;
+}
+
 }  // namespace
+
+std::vector<BakedFile> BakedFiles::All() const {
+  std::vector<BakedFile> files = {{".h", header}, {".json", json}};
+  if (!exr.empty()) files.push_back({".exr", exr});
+  files.insert(files.end(), gpu.begin(), gpu.end());
+  return files;
+}
 
 bool BakeOptions::IsValid(std::string* why) const {
   const bool valid = blend >= 0 && blend <= 1;
@@ -79,13 +115,13 @@ BakedFiles Bake(const Fit& fit, const BakeOptions& options) {
   const Certificate certificate = Certify(fit, options.format, options.blend);
   return {fit.name, BakedHeader(fit, table.view(), certificate),
           BakedJson(fit, table.view(), certificate),
-          HasReleasedLayout(fit) ? EncodeExr(ToReleasedLayout(fit)) : std::string()};
+          HasReleasedLayout(fit) ? EncodeExr(ToReleasedLayout(fit)) : std::string(),
+          GpuFiles(fit, certificate)};
 }
 
 void WriteBaked(const std::filesystem::path& folder, const BakedFiles& files) {
-  WriteFile(folder / (files.name + ".h"), files.header);
-  WriteFile(folder / (files.name + ".json"), files.json);
-  if (!files.exr.empty()) WriteFile(folder / (files.name + ".exr"), files.exr);
+  for (const BakedFile& file : files.All())
+    WriteFile(folder / (files.name + file.ending), file.bytes);
 }
 
 }  // namespace warplut

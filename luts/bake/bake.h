@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "luts/certificate/certificate.h"
 #include "luts/fit/fit.h"
@@ -16,12 +17,25 @@ struct BakeOptions {
   bool IsValid(std::string* why) const;
 };
 
-// The bytes of the files NAME.h, NAME.json and NAME.exr, with NAME that of the fit.
+// One file: NAME, then `ending` (".h").
+struct BakedFile {
+  std::string ending;
+  std::string bytes;
+};
+
+// The bytes of the files, with NAME that of the fit.
 struct BakedFiles {
   std::string name;
-  std::string header;  // C++20; includes luts/contract.h only
-  std::string json;    // "warplut-table"; docs/FORMATS.md
-  std::string exr;     // the released layout (released_layout.h); empty unless HasReleasedLayout
+  std::string
+      header;        // C++20 with luts/contract.h; C++17 and C11 the table and what is known of it
+  std::string json;  // "warplut-table"; docs/FORMATS.md
+  std::string exr;   // the released layout (released_layout.h); empty unless HasReleasedLayout
+  // What GPUs take, of halves (table_texture.h): NAME.ktx2, NAME.dds, NAME.bin, NAME.test.json, and
+  // where HasShaderSource NAME.glsl and NAME.hlsl.
+  std::vector<BakedFile> gpu;
+
+  // All files but those that are empty.
+  std::vector<BakedFile> All() const;
 };
 
 // A pure function: the same fit and options give the same bytes. An Error names the field of the

@@ -1,8 +1,9 @@
 #include "luts/bake/exr.h"
 
-#include <bit>
 #include <cstdint>
 #include <string_view>
+
+#include "luts/bake/little_endian.h"
 
 namespace warplut {
 namespace {
@@ -13,22 +14,12 @@ constexpr std::uint32_t kFloatPixels = 2;
 constexpr char kNoCompression = 0;
 constexpr char kIncreasingY = 0;
 
-// Little-endian, whatever the machine.
-template <class T>
-std::string Bytes(T value) {
-  std::string bytes;
-  for (std::size_t i = 0; i < sizeof(T); ++i) {
-    bytes += static_cast<char>((value >> (8 * i)) & 0xFF);
-  }
-  return bytes;
-}
-
-std::string Bytes32(int value) { return Bytes(static_cast<std::uint32_t>(value)); }
-std::string BytesOf(float value) { return Bytes(std::bit_cast<std::uint32_t>(value)); }
 std::string Terminated(std::string_view text) { return std::string(text) + '\0'; }
 
+std::string Side(int value) { return Bytes(static_cast<std::uint32_t>(value)); }
+
 std::string Attribute(std::string_view name, std::string_view type, const std::string& value) {
-  return Terminated(name) + Terminated(type) + Bytes32(static_cast<int>(value.size())) + value;
+  return Terminated(name) + Terminated(type) + Bytes32(value.size()) + value;
 }
 
 }  // namespace
@@ -37,7 +28,7 @@ std::string EncodeExr(const Image& image) {
   const std::string channels =
       Terminated("Y") + Bytes(kFloatPixels) + Bytes32(0) + Bytes32(1) + Bytes32(1) + '\0';
   const std::string window =
-      Bytes32(0) + Bytes32(0) + Bytes32(image.width - 1) + Bytes32(image.height - 1);
+      Bytes32(0) + Bytes32(0) + Side(image.width - 1) + Side(image.height - 1);
   std::string file = Bytes(kMagic) + Bytes(kVersion);
   file += Attribute("channels", "chlist", channels);
   file += Attribute("compression", "compression", std::string(1, kNoCompression));
@@ -58,7 +49,7 @@ std::string EncodeExr(const Image& image) {
     offset += 8 + static_cast<std::uint64_t>(line_bytes);
   }
   for (int y = 0; y < image.height; ++y) {
-    file += Bytes32(y) + Bytes32(line_bytes);
+    file += Side(y) + Side(line_bytes);
     for (int x = 0; x < image.width; ++x) file += BytesOf(image.at(x, y));
   }
   return file;

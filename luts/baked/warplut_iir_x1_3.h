@@ -89,17 +89,26 @@
 //   f32     bilinear  0.000658  0.000355  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX1_3Values = {
+enum { kWarplutIirX1_3Nodes = 32, kWarplutIirX1_3Taps = 16, kWarplutIirX1_3FractionBits = 14 };
+static const float kWarplutIirX1_3Side = 0.18553491f, kWarplutIirX1_3Pole = -0.32643628f;
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutIirX1_3Values = {
+#else
+static const int16_t kWarplutIirX1_3Values[16384] = {
+#endif
     564, 1912, 564, 0, 1912, 6480, 1912, 0, 564, 1912, 564, 0, 0, 0, 0, 0,
     516, 1921, 608, 1, 1757, 6459, 2072, 4, 516, 1921, 608, 1, 0, 0, 0, 0,
     471, 1922, 656, 1, 1610, 6422, 2245, 7, 471, 1922, 656, 1, 0, 0, 0, 0,
@@ -1126,7 +1135,14 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX1_3Values = 
     0, 1, 3, 0, 1, 658, 2081, 557, 3, 2081, 6444, 1763, 0, 557, 1763, 472,
 };
 
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutIirX1_3Values.size() == TableValues(Footprint::k16));
+
 inline constexpr TableView kWarplutIirX1_3{TableFormat::kI16, kWarplutIirX1_3Values.data(),
                                     {PrefilterKind::kRecursive, 0.18553491f, 0, {}}};
+#undef WARPLUT_BAKED_VIEWS
+#endif
 
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

@@ -89,17 +89,26 @@
 //   f32     bilinear  0.000743  0.000347  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX1_5Values = {
+enum { kWarplutIirX1_5Nodes = 32, kWarplutIirX1_5Taps = 16, kWarplutIirX1_5FractionBits = 14 };
+static const float kWarplutIirX1_5Side = 0.1832876f, kWarplutIirX1_5Pole = -0.31876114f;
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutIirX1_5Values = {
+#else
+static const int16_t kWarplutIirX1_5Values[16384] = {
+#endif
     550, 1902, 550, 0, 1902, 6576, 1902, 0, 550, 1902, 550, 0, 0, 0, 0, 0,
     503, 1908, 595, 1, 1744, 6561, 2063, 2, 503, 1908, 595, 1, 0, 0, 0, 0,
     460, 1906, 642, 3, 1593, 6529, 2239, 1, 460, 1906, 642, 3, 0, 0, 0, 0,
@@ -1126,7 +1135,14 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX1_5Values = 
     0, 1, 0, 1, 1, 644, 2071, 545, 0, 2071, 6549, 1747, 1, 545, 1747, 461,
 };
 
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutIirX1_5Values.size() == TableValues(Footprint::k16));
+
 inline constexpr TableView kWarplutIirX1_5{TableFormat::kI16, kWarplutIirX1_5Values.data(),
                                     {PrefilterKind::kRecursive, 0.1832876f, 0, {}}};
+#undef WARPLUT_BAKED_VIEWS
+#endif
 
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

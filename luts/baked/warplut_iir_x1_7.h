@@ -89,17 +89,26 @@
 //   f32     bilinear  0.000792  0.000353  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX1_7Values = {
+enum { kWarplutIirX1_7Nodes = 32, kWarplutIirX1_7Taps = 16, kWarplutIirX1_7FractionBits = 14 };
+static const float kWarplutIirX1_7Side = 0.1814689f, kWarplutIirX1_7Pole = -0.3127073f;
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutIirX1_7Values = {
+#else
+static const int16_t kWarplutIirX1_7Values[16384] = {
+#endif
     540, 1894, 540, 0, 1894, 6648, 1894, 0, 540, 1894, 540, 0, 0, 0, 0, 0,
     494, 1896, 584, 1, 1733, 6645, 2054, 2, 494, 1896, 584, 1, 0, 0, 0, 0,
     451, 1892, 632, 2, 1579, 6619, 2231, 1, 451, 1892, 632, 2, 0, 0, 0, 0,
@@ -1126,7 +1135,14 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX1_7Values = 
     0, 1, 0, 1, 1, 634, 2059, 535, 0, 2059, 6640, 1733, 1, 535, 1733, 452,
 };
 
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutIirX1_7Values.size() == TableValues(Footprint::k16));
+
 inline constexpr TableView kWarplutIirX1_7{TableFormat::kI16, kWarplutIirX1_7Values.data(),
                                     {PrefilterKind::kRecursive, 0.1814689f, 0, {}}};
+#undef WARPLUT_BAKED_VIEWS
+#endif
 
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

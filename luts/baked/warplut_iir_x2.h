@@ -94,17 +94,26 @@
 //   f32     bilinear  0.000740  0.000354  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX2Values = {
+enum { kWarplutIirX2Nodes = 32, kWarplutIirX2Taps = 16, kWarplutIirX2FractionBits = 14 };
+static const float kWarplutIirX2Side = 0.17952603f, kWarplutIirX2Pole = -0.30638805f;
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutIirX2Values = {
+#else
+static const int16_t kWarplutIirX2Values[16384] = {
+#endif
     528, 1885, 528, 0, 1885, 6732, 1885, 0, 528, 1885, 528, 0, 0, 0, 0, 0,
     483, 1887, 573, 1, 1722, 6726, 2046, 2, 483, 1887, 573, 1, 0, 0, 0, 0,
     441, 1883, 620, 2, 1569, 6701, 2220, 2, 441, 1883, 620, 2, 0, 0, 0, 0,
@@ -1131,7 +1140,14 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX2Values = {
     0, 1, 1, 1, 1, 622, 2050, 524, 1, 2050, 6720, 1723, 1, 524, 1723, 442,
 };
 
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutIirX2Values.size() == TableValues(Footprint::k16));
+
 inline constexpr TableView kWarplutIirX2{TableFormat::kI16, kWarplutIirX2Values.data(),
                                     {PrefilterKind::kRecursive, 0.17952603f, 0, {}}};
+#undef WARPLUT_BAKED_VIEWS
+#endif
 
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

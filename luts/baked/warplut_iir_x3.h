@@ -99,17 +99,26 @@
 //   f32     bilinear  0.000756  0.000353  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX3Values = {
+enum { kWarplutIirX3Nodes = 32, kWarplutIirX3Taps = 16, kWarplutIirX3FractionBits = 14 };
+static const float kWarplutIirX3Side = 0.17645486f, kWarplutIirX3Pole = -0.29669383f;
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutIirX3Values = {
+#else
+static const int16_t kWarplutIirX3Values[16384] = {
+#endif
     510, 1871, 510, 0, 1871, 6860, 1871, 0, 510, 1871, 510, 0, 0, 0, 0, 0,
     465, 1871, 554, 1, 1706, 6860, 2034, 2, 465, 1871, 554, 1, 0, 0, 0, 0,
     423, 1867, 600, 1, 1552, 6838, 2209, 3, 423, 1867, 600, 1, 0, 0, 0, 0,
@@ -1136,7 +1145,14 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutIirX3Values = {
     0, 1, 1, 1, 1, 601, 2036, 505, 1, 2036, 6857, 1707, 1, 505, 1707, 424,
 };
 
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutIirX3Values.size() == TableValues(Footprint::k16));
+
 inline constexpr TableView kWarplutIirX3{TableFormat::kI16, kWarplutIirX3Values.data(),
                                     {PrefilterKind::kRecursive, 0.17645486f, 0, {}}};
+#undef WARPLUT_BAKED_VIEWS
+#endif
 
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

@@ -55,17 +55,25 @@
 //   f32     bilinear  0.001415  0.000616  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX1_3Values = {
+enum { kWarplutSrX1_3Nodes = 32, kWarplutSrX1_3Taps = 16, kWarplutSrX1_3FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutSrX1_3Values = {
+#else
+static const int16_t kWarplutSrX1_3Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -104, 15929, 710, -151, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -207, 15482, 1402, -293, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1092,6 +1100,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX1_3Values = {
     -12, -4, -145, -12, -4, 33, 711, 3, -145, 711, 15466, -102, -12, 3, -102, -5,
 };
 
-inline constexpr TableView kWarplutSrX1_3{TableFormat::kI16, kWarplutSrX1_3Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutSrX1_3Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutSrX1_3{TableFormat::kI16, kWarplutSrX1_3Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

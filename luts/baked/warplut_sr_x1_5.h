@@ -55,17 +55,25 @@
 //   f32     bilinear  0.001189  0.000534  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX1_5Values = {
+enum { kWarplutSrX1_5Nodes = 32, kWarplutSrX1_5Taps = 16, kWarplutSrX1_5FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutSrX1_5Values = {
+#else
+static const int16_t kWarplutSrX1_5Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -172, 16057, 658, -159, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -329, 15712, 1308, -307, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1092,6 +1100,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX1_5Values = {
     -12, -3, -152, -7, -3, 30, 663, 0, -152, 663, 15699, -169, -7, 0, -169, 3,
 };
 
-inline constexpr TableView kWarplutSrX1_5{TableFormat::kI16, kWarplutSrX1_5Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutSrX1_5Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutSrX1_5{TableFormat::kI16, kWarplutSrX1_5Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

@@ -55,17 +55,25 @@
 //   f32     bilinear  0.001123  0.000495  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX1_7Values = {
+enum { kWarplutSrX1_7Nodes = 32, kWarplutSrX1_7Taps = 16, kWarplutSrX1_7FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutSrX1_7Values = {
+#else
+static const int16_t kWarplutSrX1_7Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -194, 16079, 680, -181, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -368, 15749, 1349, -346, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1092,6 +1100,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX1_7Values = {
     -10, -2, -170, -5, -2, 30, 668, 1, -170, 668, 15756, -190, -5, 1, -190, 4,
 };
 
-inline constexpr TableView kWarplutSrX1_7{TableFormat::kI16, kWarplutSrX1_7Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutSrX1_7Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutSrX1_7{TableFormat::kI16, kWarplutSrX1_7Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

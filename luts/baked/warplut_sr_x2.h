@@ -55,17 +55,25 @@
 //   f32     bilinear  0.001151  0.000495  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX2Values = {
+enum { kWarplutSrX2Nodes = 32, kWarplutSrX2Taps = 16, kWarplutSrX2FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutSrX2Values = {
+#else
+static const int16_t kWarplutSrX2Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -207, 16134, 609, -152, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -390, 15847, 1221, -294, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1092,6 +1100,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX2Values = {
     -10, -1, -143, -4, -1, 26, 599, 1, -143, 599, 15866, -204, -4, 1, -204, 6,
 };
 
-inline constexpr TableView kWarplutSrX2{TableFormat::kI16, kWarplutSrX2Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutSrX2Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutSrX2{TableFormat::kI16, kWarplutSrX2Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

@@ -55,17 +55,25 @@
 //   f32     bilinear  0.001816  0.000722  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX3Values = {
+enum { kWarplutSrX3Nodes = 32, kWarplutSrX3Taps = 16, kWarplutSrX3FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutSrX3Values = {
+#else
+static const int16_t kWarplutSrX3Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -225, 16238, 455, -84, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -424, 16037, 942, -171, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1092,6 +1100,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX3Values = {
     0, -4, -83, 2, -4, 16, 456, -5, -83, 456, 16078, -226, 2, -5, -226, 10,
 };
 
-inline constexpr TableView kWarplutSrX3{TableFormat::kI16, kWarplutSrX3Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutSrX3Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutSrX3{TableFormat::kI16, kWarplutSrX3Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

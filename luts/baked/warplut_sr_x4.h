@@ -55,17 +55,25 @@
 //   f32     bilinear  0.002156  0.000851  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX4Values = {
+enum { kWarplutSrX4Nodes = 32, kWarplutSrX4Taps = 16, kWarplutSrX4FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutSrX4Values = {
+#else
+static const int16_t kWarplutSrX4Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -229, 16274, 396, -57, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -432, 16103, 833, -120, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1092,6 +1100,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutSrX4Values = {
     2, -4, -58, 3, -4, 12, 397, -6, -58, 397, 16158, -230, 3, -6, -230, 8,
 };
 
-inline constexpr TableView kWarplutSrX4{TableFormat::kI16, kWarplutSrX4Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutSrX4Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutSrX4{TableFormat::kI16, kWarplutSrX4Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

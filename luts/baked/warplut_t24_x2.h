@@ -80,17 +80,25 @@
 //   f32     bilinear  0.001976  0.001045  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kWindowTaps == 6 && TableValues(Footprint::k24) == 24576);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, TableValues(Footprint::k24)> kWarplutT24X2Values = {
+enum { kWarplutT24X2Nodes = 32, kWarplutT24X2Taps = 24, kWarplutT24X2FractionBits = 14 };
+// 1024 rows of 24, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 24576> kWarplutT24X2Values = {
+#else
+static const int16_t kWarplutT24X2Values[24576] = {
+#endif
     0, 0, 0, 0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, 0, 0, 77, -369, 16316, 476, -142, 26, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, 0, 0, 147, -705, 16194, 981, -287, 54, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1117,7 +1125,14 @@ inline constexpr std::array<std::int16_t, TableValues(Footprint::k24)> kWarplutT
     0, 26, 0, -5, -138, 1, 0, -5, 17, 470, -9, 2, 26, -138, 470, 16252, -366, 74, 1, -9, -366, 5, 2, 74,
 };
 
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kWindowTaps == 6 && kWarplutT24X2Values.size() == TableValues(Footprint::k24));
+
 inline constexpr TableView kWarplutT24X2{TableFormat::kI16, kWarplutT24X2Values.data(),
                                     {}, Footprint::k24};
+#undef WARPLUT_BAKED_VIEWS
+#endif
 
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

@@ -67,17 +67,25 @@
 //   f32     bilinear  0.005232  0.001941  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutX1_3Values = {
+enum { kWarplutX1_3Nodes = 32, kWarplutX1_3Taps = 16, kWarplutX1_3FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutX1_3Values = {
+#else
+static const int16_t kWarplutX1_3Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -305, 16453, 264, -28, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -595, 16492, 545, -58, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1104,6 +1112,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutX1_3Values = {
     -2, -4, -24, -3, -4, 2, 280, 1, -24, 280, 16500, -320, -3, 1, -320, 24,
 };
 
-inline constexpr TableView kWarplutX1_3{TableFormat::kI16, kWarplutX1_3Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutX1_3Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutX1_3{TableFormat::kI16, kWarplutX1_3Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

@@ -67,17 +67,25 @@
 //   f32     bilinear  0.004503  0.001925  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutX1_5Values = {
+enum { kWarplutX1_5Nodes = 32, kWarplutX1_5Taps = 16, kWarplutX1_5FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutX1_5Values = {
+#else
+static const int16_t kWarplutX1_5Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -304, 16449, 269, -30, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -582, 16458, 574, -66, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1104,6 +1112,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutX1_5Values = {
     0, -7, -21, -3, -7, 3, 281, 0, -21, 281, 16498, -321, -3, 0, -321, 25,
 };
 
-inline constexpr TableView kWarplutX1_5{TableFormat::kI16, kWarplutX1_5Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutX1_5Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutX1_5{TableFormat::kI16, kWarplutX1_5Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

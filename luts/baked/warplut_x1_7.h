@@ -67,17 +67,25 @@
 //   f32     bilinear  0.004708  0.001967  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutX1_7Values = {
+enum { kWarplutX1_7Nodes = 32, kWarplutX1_7Taps = 16, kWarplutX1_7FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutX1_7Values = {
+#else
+static const int16_t kWarplutX1_7Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -285, 16413, 285, -29, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -557, 16421, 572, -52, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1104,6 +1112,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutX1_7Values = {
     -2, -6, -22, -2, -6, 3, 298, 1, -22, 298, 16430, -306, -2, 1, -306, 27,
 };
 
-inline constexpr TableView kWarplutX1_7{TableFormat::kI16, kWarplutX1_7Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutX1_7Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutX1_7{TableFormat::kI16, kWarplutX1_7Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

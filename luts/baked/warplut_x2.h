@@ -67,17 +67,25 @@
 //   f32     bilinear  0.004240  0.001854  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutX2Values = {
+enum { kWarplutX2Nodes = 32, kWarplutX2Taps = 16, kWarplutX2FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutX2Values = {
+#else
+static const int16_t kWarplutX2Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -279, 16404, 284, -25, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -542, 16396, 579, -49, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1104,6 +1112,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutX2Values = {
     0, -7, -16, -3, -7, 3, 293, 0, -16, 293, 16420, -299, -3, 0, -299, 25,
 };
 
-inline constexpr TableView kWarplutX2{TableFormat::kI16, kWarplutX2Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutX2Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutX2{TableFormat::kI16, kWarplutX2Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

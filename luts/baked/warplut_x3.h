@@ -67,17 +67,25 @@
 //   f32     bilinear  0.005470  0.002063  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutX3Values = {
+enum { kWarplutX3Nodes = 32, kWarplutX3Taps = 16, kWarplutX3FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutX3Values = {
+#else
+static const int16_t kWarplutX3Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -254, 16358, 301, -21, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -503, 16336, 580, -29, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1104,6 +1112,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutX3Values = {
     4, -8, -13, -2, -8, 4, 301, -3, -13, 301, 16342, -266, -2, -3, -266, 16,
 };
 
-inline constexpr TableView kWarplutX3{TableFormat::kI16, kWarplutX3Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutX3Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutX3{TableFormat::kI16, kWarplutX3Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

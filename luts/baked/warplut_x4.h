@@ -67,17 +67,25 @@
 //   f32     bilinear  0.010050  0.002648  0.000000
 #pragma once
 
+#ifdef __cplusplus
 #include <array>
 #include <cstdint>
-
+#if __cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #include "luts/contract.h"
-
+#define WARPLUT_BAKED_VIEWS
+#endif
 namespace warplut::baked {
+#else
+#include <stdint.h>
+#endif
 
-static_assert(kNodes == 32 && kTaps == 4 && kTableValues == 16384);
-
-// Rows as in luts/contract.h, one a line; weight = value / 2^14.
-inline constexpr std::array<std::int16_t, kTableValues> kWarplutX4Values = {
+enum { kWarplutX4Nodes = 32, kWarplutX4Taps = 16, kWarplutX4FractionBits = 14 };
+// 1024 rows of 16, one a line, dy slowest (luts/contract.h); weight = value / 2^14.
+#ifdef __cplusplus
+inline constexpr std::array<std::int16_t, 16384> kWarplutX4Values = {
+#else
+static const int16_t kWarplutX4Values[16384] = {
+#endif
     0, 0, 0, 0, 0, 16384, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -244, 16343, 302, -17, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, -487, 16317, 571, -17, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -1104,6 +1112,13 @@ inline constexpr std::array<std::int16_t, kTableValues> kWarplutX4Values = {
     5, -6, -12, -2, -6, 5, 301, -2, -12, 301, 16310, -252, -2, -2, -252, 10,
 };
 
-inline constexpr TableView kWarplutX4{TableFormat::kI16, kWarplutX4Values.data()};
+#ifdef WARPLUT_BAKED_VIEWS
+static_assert(kNodes == 32 && kTaps == 4 && kWarplutX4Values.size() == TableValues(Footprint::k16));
 
+inline constexpr TableView kWarplutX4{TableFormat::kI16, kWarplutX4Values.data()};
+#undef WARPLUT_BAKED_VIEWS
+#endif
+
+#ifdef __cplusplus
 }  // namespace warplut::baked
+#endif

@@ -12,9 +12,27 @@
 namespace warplut {
 namespace {
 
-void CheckRow(const RealTable& table, TableFormat format, int ix, int jy) {
+// The numbers that a table is rounded to: integers of the grid / one.
+struct Storage {
+  const char* name;
+  std::int32_t one;
+  RoundingGrid grid;
+};
+
+Storage StorageOf(TableFormat format) {
+  const std::int32_t one = 1 << FractionBits(format);
+  return {Name(format), one, {-2 * one, 2 * one - 1, format == TableFormat::kF16 ? one : 2 * one}};
+}
+
+// A half has 11 binary digits.
+Storage HalfStorage() {
+  constexpr std::int32_t kOne = 1 << kHalfFractionBits;
+  return {"halves", kOne, {-2 * kOne, 2 * kOne - 1, 1 << 11, kMostHalfStep}};
+}
+
+void CheckRow(const RealTable& table, const Storage& storage, int ix, int jy) {
   const Weights<double>& row = table.Row(ix, jy);
-  const double one = std::ldexp(1.0, FractionBits(format));
+  const double one = storage.one;
   double sum = 0;
   const FootprintTaps& taps = TapsOf(table.footprint);
   for (int i = 0; i < taps.count; ++i) {
@@ -66,8 +84,8 @@ std::vector<std::vector<int>> TapGroups(const RealTable& table, int ix, int jy, 
   return groups;
 }
 
-IntegerRow RoundRow(const RealTable& table, TableFormat format, int ix, int jy, int group) {
-  const std::int32_t one = 1 << FractionBits(format);
+IntegerRow RoundRow(const RealTable& table, const Storage& storage, int ix, int jy, int group) {
+  const std::int32_t one = storage.one;
   const Weights<double>& row = table.Row(ix, jy);
   const std::vector<std::vector<int>> groups = TapGroups(table, ix, jy, group);
   std::vector<RoundingTerm> terms;
@@ -76,12 +94,11 @@ IntegerRow RoundRow(const RealTable& table, TableFormat format, int ix, int jy, 
     for (const int k : taps) mean += row[k] / static_cast<double>(taps.size());
     terms.push_back({mean * one, static_cast<int>(taps.size()), 0});
   }
-  const RoundingGrid grid{-2 * one, 2 * one - 1, format == TableFormat::kF16 ? one : 2 * one};
-  if (!RoundToSum(one, grid, &terms)) {
+  if (!RoundToSum(one, storage.grid, &terms)) {
     throw Error(fmt::format(
         "{}: the weights of node ({}, {}) have no rounding to {} with sum 1, expected one "
         "within {} units of each weight",
-        table.name, ix, jy, Name(format), kMaxRoundingStep));
+        table.name, ix, jy, storage.name, storage.grid.most_step));
   }
   IntegerRow rounded{};
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -90,12 +107,10 @@ IntegerRow RoundRow(const RealTable& table, TableFormat format, int ix, int jy, 
   return rounded;
 }
 
-}  // namespace
-
-std::vector<IntegerRow> RoundTable(const RealTable& table, TableFormat format) {
+std::vector<IntegerRow> RoundTo(const Storage& storage, const RealTable& table) {
   const int n = table.intervals;
   for (int jy = 0; jy <= n; ++jy) {
-    for (int ix = 0; ix <= n; ++ix) CheckRow(table, format, ix, jy);
+    for (int ix = 0; ix <= n; ++ix) CheckRow(table, storage, ix, jy);
   }
   const int group = Asymmetry(table) <= kSymmetryTolerance ? kSymmetries : 1;
   std::vector<IntegerRow> rows(table.rows.size());
@@ -108,7 +123,7 @@ std::vector<IntegerRow> RoundTable(const RealTable& table, TableFormat format) {
         first = std::min(first, table.RowAt(gx, gy));
       }
       if (first != table.RowAt(ix, jy)) continue;
-      const IntegerRow rounded = RoundRow(table, format, ix, jy, group);
+      const IntegerRow rounded = RoundRow(table, storage, ix, jy, group);
       for (int g = 0; g < group; ++g) {
         const auto [gx, gy] = MapOffset<int>(g, ix, jy, n);
         for (int k = 0; k < kWeights; ++k) rows[table.RowAt(gx, gy)][MapWeight(g, k)] = rounded[k];
@@ -118,13 +133,32 @@ std::vector<IntegerRow> RoundTable(const RealTable& table, TableFormat format) {
   return rows;
 }
 
-BakedTable Quantize(const RealTable& table, TableFormat format) {
-  const std::vector<IntegerRow> rounded = RoundTable(table, format);
+// The rows that are stored, of a table with kNodes intervals.
+std::vector<IntegerRow> StoredRows(const RealTable& table, const std::vector<IntegerRow>& rounded) {
   std::vector<IntegerRow> rows(kRows);
   for (int jy = 0; jy < kNodes; ++jy) {
     for (int ix = 0; ix < kNodes; ++ix) rows[RowIndex(ix, jy)] = rounded[table.RowAt(ix, jy)];
   }
-  return {format, rows, table.prefilter, table.footprint};
+  return rows;
+}
+
+}  // namespace
+
+std::vector<IntegerRow> RoundTable(const RealTable& table, TableFormat format) {
+  return RoundTo(StorageOf(format), table);
+}
+
+BakedTable Quantize(const RealTable& table, TableFormat format) {
+  return {format, StoredRows(table, RoundTable(table, format)), table.prefilter, table.footprint};
+}
+
+BakedTable QuantizeToHalves(const RealTable& table) {
+  constexpr int kUnit = 1 << (FractionBits(TableFormat::kF32) - kHalfFractionBits);
+  std::vector<IntegerRow> rows = StoredRows(table, RoundTo(HalfStorage(), table));
+  for (IntegerRow& row : rows) {
+    for (std::int32_t& q : row) q *= kUnit;
+  }
+  return {TableFormat::kF32, rows, table.prefilter, table.footprint};
 }
 
 }  // namespace warplut

@@ -34,4 +34,14 @@ std::vector<IntegerRow> RoundTable(const RealTable& table, TableFormat format);
 // RoundTable of a table with kNodes intervals, as it is stored.
 BakedTable Quantize(const RealTable& table, TableFormat format);
 
+// Halves at full precision: multiples of 2^-kHalfFractionBits that a half holds, so that weights
+// below 1/8 in magnitude have the unit of i16 and larger ones that of a half. Rows sum to exactly
+// 1, in any order of adding in float: the error of the sum that rounding to halves makes is 0.
+inline constexpr int kHalfFractionBits = 14;
+
+// Quantize to such halves, in format f32. Each weight is within kMostHalfStep units of the exact
+// one.
+inline constexpr int kMostHalfStep = 8;
+BakedTable QuantizeToHalves(const RealTable& table);
+
 }  // namespace warplut

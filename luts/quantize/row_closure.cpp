@@ -1,6 +1,5 @@
 #include "luts/quantize/row_closure.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -8,14 +7,15 @@ namespace warplut {
 
 bool RoundToSum(std::int32_t total, const RoundingGrid& grid, std::vector<RoundingTerm>* terms) {
   // best[i][reach + s]: the least cost of the first i terms when their steps add up to s.
-  constexpr std::array<int, 2 * kMaxRoundingStep + 1> kSteps = {0, 1, -1, 2, -2};
+  std::vector<int> steps = {0};
+  for (int s = 1; s <= grid.most_step; ++s) steps.insert(steps.end(), {s, -s});
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const int n = static_cast<int>(terms->size());
   std::int64_t rest = total;
   int reach = 0;
   for (const RoundingTerm& term : *terms) {
     rest -= term.count * std::llround(term.value);
-    reach += term.count * kMaxRoundingStep;
+    reach += term.count * grid.most_step;
   }
   if (rest < -reach || rest > reach) return false;
 
@@ -26,7 +26,7 @@ bool RoundToSum(std::int32_t total, const RoundingGrid& grid, std::vector<Roundi
   for (int i = 0; i < n; ++i) {
     const RoundingTerm& term = (*terms)[i];
     const auto nearest = static_cast<std::int32_t>(std::llround(term.value));
-    for (const int s : kSteps) {
+    for (const int s : steps) {
       if (!grid.Has(nearest + s)) continue;
       const double cost = term.count * std::abs(nearest + s - term.value);
       for (int from = 0; from < width; ++from) {

@@ -30,13 +30,16 @@ TEST(Bake, SameFitGivesSameBytes) {
   EXPECT_EQ(first.exr, second.exr);
 }
 
-TEST(Bake, WritesThreeFiles) {
+TEST(Bake, WritesEveryFile) {
   const BakedFiles files = Bake(MakeFit(0.2));
   const std::filesystem::path folder = TestFolder();
   WriteBaked(folder, files);
   EXPECT_EQ(ReadFile(folder / "test_fit.h"), files.header);
   EXPECT_EQ(ReadFile(folder / "test_fit.json"), files.json);
   EXPECT_EQ(ReadFile(folder / "test_fit.exr"), files.exr);
+  EXPECT_EQ(files.All().size(), 3 + files.gpu.size());
+  for (const BakedFile& file : files.gpu)
+    EXPECT_EQ(ReadFile(folder / (files.name + file.ending)), file.bytes);
   EXPECT_THAT(SentenceOf([&] { WriteBaked(folder / "none", files); }), HasSubstr("none"));
 }
 
