@@ -1,0 +1,161 @@
+#include "runtime/gpu/compute_pass.h"
+
+namespace warplut {
+namespace {
+
+std::uint32_t Groups(int size, int group) {
+  return static_cast<std::uint32_t>((size + group - 1) / group);
+}
+
+VkDescriptorType TypeOf(const PassImage& image) {
+  return image.stored ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
+                      : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+}
+
+}  // namespace
+
+ComputePass::ComputePass(const VulkanDevice& device, const PassOptions& options, VkSampler sampler)
+    : device_(device),
+      name_(options.name),
+      numbers_bytes_(options.numbers_bytes),
+      groups_x_(Groups(options.width, options.group_width)),
+      groups_y_(Groups(options.height, options.group_height)) {
+  try {
+    CreateLayouts(options);
+    CreatePipeline(options);
+    CreateSet(options, sampler);
+  } catch (...) {
+    Destroy();
+    throw;
+  }
+}
+
+ComputePass::~ComputePass() { Destroy(); }
+
+void ComputePass::Destroy() {
+  const VkDevice device = device_.handle();
+  vkDestroyDescriptorPool(device, pool_, nullptr);
+  vkDestroyPipeline(device, pipeline_, nullptr);
+  vkDestroyPipelineLayout(device, layout_, nullptr);
+  vkDestroyDescriptorSetLayout(device, set_layout_, nullptr);
+}
+
+void ComputePass::CreateLayouts(const PassOptions& options) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  for (std::size_t i = 0; i < options.images.size(); ++i) {
+    bindings.push_back({static_cast<std::uint32_t>(i), TypeOf(options.images[i]), 1,
+                        VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+  }
+  const VkDescriptorSetLayoutCreateInfo set = {
+      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+      .pNext = nullptr,
+      .flags = 0,
+      .bindingCount = static_cast<std::uint32_t>(bindings.size()),
+      .pBindings = bindings.data()};
+  CheckVulkan(vkCreateDescriptorSetLayout(device_.handle(), &set, nullptr, &set_layout_),
+              std::string("to lay out the pass ") + name_);
+  const VkPushConstantRange range = {VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                                     static_cast<std::uint32_t>(numbers_bytes_)};
+  const VkPipelineLayoutCreateInfo layout = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                             .pNext = nullptr,
+                                             .flags = 0,
+                                             .setLayoutCount = 1,
+                                             .pSetLayouts = &set_layout_,
+                                             .pushConstantRangeCount = 1,
+                                             .pPushConstantRanges = &range};
+  CheckVulkan(vkCreatePipelineLayout(device_.handle(), &layout, nullptr, &layout_),
+              std::string("to lay out the pass ") + name_);
+}
+
+void ComputePass::CreatePipeline(const PassOptions& options) {
+  const VkShaderModuleCreateInfo module_info = {
+      .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+      .pNext = nullptr,
+      .flags = 0,
+      .codeSize = options.spirv.size_bytes(),
+      .pCode = options.spirv.data()};
+  VkShaderModule module = VK_NULL_HANDLE;
+  CheckVulkan(vkCreateShaderModule(device_.handle(), &module_info, nullptr, &module),
+              std::string("to take the shader of the pass ") + name_);
+  std::vector<VkSpecializationMapEntry> entries;
+  for (std::uint32_t i = 0; i < options.constants.size(); ++i)
+    entries.push_back({i, i * 4, sizeof(std::int32_t)});
+  const VkSpecializationInfo specialization = {
+      static_cast<std::uint32_t>(entries.size()), entries.data(),
+      options.constants.size() * sizeof(std::int32_t), options.constants.data()};
+  const VkPipelineShaderStageCreateInfo stage = {
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+      .pNext = nullptr,
+      .flags = 0,
+      .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+      .module = module,
+      .pName = "main",
+      .pSpecializationInfo = &specialization};
+  const VkComputePipelineCreateInfo info = {.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                            .pNext = nullptr,
+                                            .flags = 0,
+                                            .stage = stage,
+                                            .layout = layout_,
+                                            .basePipelineHandle = VK_NULL_HANDLE,
+                                            .basePipelineIndex = 0};
+  const VkResult result =
+      vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
+  vkDestroyShaderModule(device_.handle(), module, nullptr);
+  CheckVulkan(result, std::string("to compile the pass ") + name_);
+}
+
+void ComputePass::CreateSet(const PassOptions& options, VkSampler sampler) {
+  const auto count = static_cast<std::uint32_t>(options.images.size());
+  const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count},
+                                        {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count}};
+  const VkDescriptorPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                           .pNext = nullptr,
+                                           .flags = 0,
+                                           .maxSets = 1,
+                                           .poolSizeCount = 2,
+                                           .pPoolSizes = sizes};
+  CheckVulkan(vkCreateDescriptorPool(device_.handle(), &pool, nullptr, &pool_),
+              "to make descriptors");
+  const VkDescriptorSetAllocateInfo set = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                           .pNext = nullptr,
+                                           .descriptorPool = pool_,
+                                           .descriptorSetCount = 1,
+                                           .pSetLayouts = &set_layout_};
+  CheckVulkan(vkAllocateDescriptorSets(device_.handle(), &set, &set_), "to make descriptors");
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const PassImage& image = options.images[i];
+    const VkDescriptorImageInfo info = {image.stored ? VK_NULL_HANDLE : sampler, image.view,
+                                        VK_IMAGE_LAYOUT_GENERAL};
+    const VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                        .pNext = nullptr,
+                                        .dstSet = set_,
+                                        .dstBinding = i,
+                                        .dstArrayElement = 0,
+                                        .descriptorCount = 1,
+                                        .descriptorType = TypeOf(image),
+                                        .pImageInfo = &info,
+                                        .pBufferInfo = nullptr,
+                                        .pTexelBufferView = nullptr};
+    vkUpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+  }
+}
+
+void ComputePass::Record(VkCommandBuffer commands, const void* numbers) const {
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 1, &set_, 0,
+                          nullptr);
+  vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                     static_cast<std::uint32_t>(numbers_bytes_), numbers);
+  vkCmdDispatch(commands, groups_x_, groups_y_, 1);
+  // What the next passes read, and what they overwrite after this one read it.
+  const VkMemoryBarrier barrier = {
+      .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+      .pNext = nullptr,
+      .srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT,
+      .dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT};
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0,
+                       nullptr);
+}
+
+}  // namespace warplut

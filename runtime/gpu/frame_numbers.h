@@ -1,0 +1,36 @@
+// The push constants of the shaders, in their layout (std430).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "luts/prefilter.h"
+
+namespace warplut {
+
+using GpuInt2 = std::array<std::int32_t, 2>;
+using GpuFloat2 = std::array<float, 2>;
+
+// As in shaders/common.glsl.
+struct FrameNumbers {
+  GpuInt2 render_size, output_size;
+  GpuFloat2 jitter, jitter_before;
+  GpuFloat2 motion_scale;
+  float depth_a, depth_b;
+  float depth_threshold, blend_a, blend_b, clamp_gamma;
+  float gate_width, settled_distance, least_step, residual_slack;
+  float filter_parameter, most_smoothing, variance_unit;
+  std::int32_t has_history;
+};
+static_assert(sizeof(FrameNumbers) == 96);
+
+// As in shaders/prefilter.comp.
+struct PrefilterNumbers {
+  GpuInt2 size;
+  std::int32_t along_x, reach;
+  float pole;
+  std::array<float, kLargestFirReach + 1> taps;
+};
+static_assert(sizeof(PrefilterNumbers) == 52);
+
+}  // namespace warplut

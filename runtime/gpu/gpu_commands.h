@@ -1,0 +1,44 @@
+// Commands of one object: recorded, submitted and waited for, with a timestamp after each pass.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "runtime/gpu/compute_pass.h"
+
+namespace warplut {
+
+class GpuCommands {
+ public:
+  GpuCommands(const VulkanDevice& device, int most_timestamps);
+  ~GpuCommands();
+  GpuCommands(const GpuCommands&) = delete;
+  GpuCommands& operator=(const GpuCommands&) = delete;
+
+  // Records what `record` does, submits it and waits for its end. A GpuError if the device fails.
+  void Run(const std::function<void(VkCommandBuffer)>& record);
+
+  // Writes the next timestamp of this Run.
+  void Timestamp(VkCommandBuffer commands);
+  // Milliseconds between the timestamps of the last Run; empty where the device has none.
+  std::vector<double> Intervals() const;
+
+ private:
+  void Destroy();
+
+  const VulkanDevice& device_;
+  std::uint32_t most_timestamps_, timestamps_ = 0;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  VkFence fence_ = VK_NULL_HANDLE;
+  VkQueryPool queries_ = VK_NULL_HANDLE;
+};
+
+// From layout UNDEFINED to GENERAL, in which images are between the calls below.
+void PrepareImage(VkCommandBuffer commands, const GpuImage& image);
+// Afterwards shaders can read the image.
+void CopyToImage(VkCommandBuffer commands, const GpuBuffer& from, const GpuImage& to);
+// Of what shaders stored. The processor can read the buffer when the commands ended.
+void CopyToBuffer(VkCommandBuffer commands, const GpuImage& from, const GpuBuffer& to);
+
+}  // namespace warplut

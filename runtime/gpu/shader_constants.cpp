@@ -1,0 +1,104 @@
+// Prints constants.glsl: the numbers and enumerators of the C++ headers, for the shaders.
+#include <cstdio>
+#include <string>
+
+#include "luts/filters.h"
+#include "luts/table.h"
+#include "luts/tap_layout.h"
+#include "runtime/choices.h"
+#include "runtime/color_encoding.h"
+#include "runtime/filter.h"
+#include "runtime/motion/motion_split.h"
+#include "runtime/prefilter.h"
+#include "runtime/sr/aliasing.h"
+#include "runtime/sr/reference.h"
+
+namespace warplut {
+namespace {
+
+void Print(const char* name, float value) {
+  char number[32];
+  std::snprintf(number, sizeof number, "%.9g", static_cast<double>(value));
+  const bool is_whole = std::string(number).find_first_of(".e") == std::string::npos;
+  std::printf("const float %s = %s%s;\n", name, number, is_whole ? ".0" : "");
+}
+void Print(const char* name, int value) { std::printf("const int %s = %d;\n", name, value); }
+template <class Enum>
+void PrintEnum(const char* name, Enum value) {
+  Print(name, static_cast<int>(value));
+}
+
+void PrintTaps(const char* name, Footprint footprint) {
+  const TapLayout& layout = LayoutOf(footprint);
+  const int taps = TapCount(footprint);
+  std::printf("const ivec2 %s[%d] = ivec2[%d](", name, taps, taps);
+  for (int place = 0; place < taps; ++place) {
+    const int k = layout.Weight(place);
+    std::printf("%sivec2(%d, %d)", place > 0 ? ", " : "", TapX(k), TapY(k));
+  }
+  std::printf(");\n");
+}
+
+void PrintAll() {
+  std::printf("// Written by shader_constants from the C++ headers.\n");
+  PrintEnum("kHistoryFormSample", HistoryForm::kSample);
+  PrintEnum("kHistoryFormResidual", HistoryForm::kResidual);
+  PrintEnum("kHistoryFormAdaptive", HistoryForm::kAdaptive);
+  PrintEnum("kColorClampNone", ColorClamp::kNone);
+  PrintEnum("kColorClampBox", ColorClamp::kBox);
+  PrintEnum("kColorClampVariance", ColorClamp::kVariance);
+  PrintEnum("kDepthMeasureNone", DepthMeasure::kNone);
+  PrintEnum("kDepthMeasureAbsolute", DepthMeasure::kAbsolute);
+  PrintEnum("kDepthMeasureRelative", DepthMeasure::kRelative);
+  PrintEnum("kMotionUpsamplingNearest", MotionUpsampling::kNearest);
+  PrintEnum("kMotionUpsamplingDilated", MotionUpsampling::kDilated);
+  PrintEnum("kMotionUpsamplingEdgeAware", MotionUpsampling::kEdgeAware);
+  PrintEnum("kMotionUpsamplingStatic", MotionUpsampling::kStatic);
+  PrintEnum("kCurrentFrameBilinear", CurrentFrame::kBilinear);
+  PrintEnum("kCurrentFrameBicubic", CurrentFrame::kBicubic);
+  PrintEnum("kColorEncodingDisplay", ColorEncoding::kDisplay);
+  PrintEnum("kColorEncodingLinearHdr", ColorEncoding::kLinearHdr);
+  PrintEnum("kFilterBilinear", Filter::kBilinear);
+  PrintEnum("kFilterCatmullRom", Filter::kCatmullRom);
+  PrintEnum("kFilterKeys", Filter::kKeys);
+  PrintEnum("kFilterLut", Filter::kLut);
+  PrintEnum("kFilterSpline", Filter::kSpline);
+  PrintEnum("kLookupNearest", Lookup::kNearest);
+  PrintEnum("kLookupBilinear", Lookup::kBilinear);
+
+  Print("kNodes", kNodes);
+  PrintTaps("kTaps24", Footprint::k24);
+  PrintTaps("kTaps36", Footprint::k36);
+  Print("kFirstWindowTap", kFirstWindowTap);
+  Print("kFirstSampledTexel", kFirstSampledTexel);
+  Print("kFarthestTexel", kFarthestTexel);
+  Print("kCatmullRomA", static_cast<float>(kCatmullRomA));
+  Print("kLargestPrefilterReach", kLargestPrefilterReach);
+  Print("kLargestFirReach", kLargestFirReach);
+  Print("kLargestPrefiltered", kLargestPrefiltered);
+
+  Print("kFarthestDepth", kFarthestDepth);
+  Print("kNoMotion", kFarthestDepth);
+  Print("kSurfaceStep", kSurfaceStep);
+  Print("kBoxMiddle", kBoxMiddle);
+  Print("kBoxSide", kBoxSide);
+  Print("kSmoothShare", kSmoothShare);
+  Print("kLeastAliasing", kLeastAliasing);
+  Print("kMostAliasing", kMostAliasing);
+  Print("kAliasingTile", kAliasingTile);
+
+  Print("kHdrOctaves", kHdrOctaves);
+  Print("kHdrGain", kHdrGain);
+  Print("kLargestHdr", kLargestHdr);
+  Print("kMantissaBits", kMantissaBits);
+  Print("kOneBits", kOneBits);
+  Print("kUnlimitedCode", HdrCode(kUnlimitedHdr));
+}
+
+}  // namespace
+}  // namespace warplut
+
+int main() {
+  warplut::PrintAll();
+  return std::ferror(stdout) == 0 ? 0 : 1;
+}

@@ -1,0 +1,135 @@
+// Output grid: steps 1 to 3 of runtime/super_resolution.h: motion and depth, the warped history, its
+// validity (in alpha) and the limit to the colour box.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "common.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D color;
+layout(binding = 1) uniform sampler2D depth;
+layout(binding = 2) uniform sampler2D motion;
+layout(binding = 3) uniform sampler2D history;
+layout(binding = 4) uniform sampler2D coefficients;
+layout(binding = 5) uniform sampler2DArray table;
+layout(binding = 6) uniform sampler2D box_low;
+layout(binding = 7) uniform sampler2D box_high;
+layout(binding = 8) uniform sampler2D nearest_before;
+layout(binding = 9) uniform sampler2D farthest_before;
+layout(binding = 10, HISTORY_FORMAT) writeonly uniform image2D predicted;
+#include "warp.glsl"
+
+// What is seen at a point; motion in render pixels.
+struct Surface {
+  float depth;
+  vec2 motion;
+};
+
+Surface SurfaceOf(ivec2 p) { return Surface(LoadDepth(depth, p), LoadMotion(motion, p)); }
+
+// The nearest to the camera of the 3 x 3 samples around p; of equal ones the middle one, then the
+// first in reading order.
+Surface NearestSurface(ivec2 p) {
+  float least = LoadDepth(depth, p);
+  ivec2 at = p;
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      float z = LoadDepth(depth, p + ivec2(di, dj));
+      if (z < least) {
+        least = z;
+        at = p + ivec2(di, dj);
+      }
+    }
+  }
+  return Surface(least, LoadMotion(motion, at));
+}
+
+// Bilinear inside a surface; at its edges the nearest surface.
+Surface EdgeAwareSurface(ivec2 cell, vec2 t, ivec2 nearest) {
+  Surface a = SurfaceOf(cell), b = SurfaceOf(cell + ivec2(1, 0));
+  Surface c = SurfaceOf(cell + ivec2(0, 1)), d = SurfaceOf(cell + ivec2(1, 1));
+  float least = min(min(a.depth, b.depth), min(c.depth, d.depth));
+  float greatest = max(max(a.depth, b.depth), max(c.depth, d.depth));
+  float most_motion = max(max(a.motion.x, b.motion.x), max(c.motion.x, d.motion.x));
+  bool edge = most_motion >= kNoMotion ||
+              (greatest - least) / max(least, 1e-12) > kSurfaceStep;
+  if (edge) return NearestSurface(nearest);
+  vec3 left = mix(vec3(a.depth, a.motion), vec3(c.depth, c.motion), t.y);
+  vec3 right = mix(vec3(b.depth, b.motion), vec3(d.depth, d.motion), t.y);
+  vec3 inside = left + t.x * (right - left);
+  return Surface(inside.x, inside.yz);
+}
+
+Surface SurfaceAt(AxisPlace x, AxisPlace y) {
+  ivec2 nearest = ivec2(x.nearest, y.nearest);
+  if (MOTION == kMotionUpsamplingNearest) return SurfaceOf(nearest);
+  if (MOTION == kMotionUpsamplingDilated) return NearestSurface(nearest);
+  if (MOTION == kMotionUpsamplingStatic) return Surface(kFarthestDepth, vec2(0.0));
+  return EdgeAwareSurface(ivec2(x.cell, y.cell), vec2(x.fraction, y.fraction), nearest);
+}
+
+// How much of the history counts, in [0, 1].
+float ValidityAt(ivec2 p, Surface surface, vec2 output_motion) {
+  vec2 before = vec2(p) + 0.5 - output_motion;
+  bool inside = before.x >= 0.0 && before.x <= float(frame.output_size.x) && before.y >= 0.0 &&
+                before.y <= float(frame.output_size.y);
+  if (!HISTORY || frame.has_history == 0 || !inside) return 0.0;
+  if (DEPTH == kDepthMeasureNone) return 1.0;
+  vec2 inverse_scale = vec2(frame.render_size) / vec2(frame.output_size);
+  vec2 u = before * inverse_scale - 0.5 - frame.jitter_before;
+  ivec2 cell = ivec2(clamp(u, vec2(0.0), vec2(frame.render_size - 1)));
+  float near = texelFetch(nearest_before, cell, 0).r;
+  float far = texelFetch(farthest_before, cell, 0).r;
+  float farther = DepthDifference(surface.depth, clamp(surface.depth, near, far));
+  if (DEPTH == kDepthMeasureAbsolute) farther = abs(farther);
+  return Gate(farther, frame.depth_threshold, frame.gate_width);
+}
+
+// The current frame alone.
+vec3 CurrentFrameAt(AxisPlace x, AxisPlace y) {
+  vec4 wx = vec4(0.0, 1.0 - x.fraction, x.fraction, 0.0);
+  vec4 wy = vec4(0.0, 1.0 - y.fraction, y.fraction, 0.0);
+  if (CURRENT == kCurrentFrameBicubic) {
+    wx = KeysTaps(kCatmullRomA, x.fraction);
+    wy = KeysTaps(kCatmullRomA, y.fraction);
+  }
+  vec3 sum = vec3(0.0);
+  for (int ky = 0; ky < 4; ++ky) {
+    if (CURRENT == kCurrentFrameBilinear && (ky == 0 || ky == 3)) continue;
+    vec3 row = vec3(0.0);
+    for (int kx = 0; kx < 4; ++kx) {
+      if (CURRENT == kCurrentFrameBilinear && (kx == 0 || kx == 3)) continue;
+      row += wx[kx] * LoadColor(color, ivec2(x.cell + kx - 1, y.cell + ky - 1));
+    }
+    sum += wy[ky] * row;
+  }
+  return clamp(sum, 0.0, 1.0);
+}
+
+vec3 BoxAt(sampler2D box, ivec2 cell, vec2 t) {
+  ivec2 last = frame.render_size - 1;
+  ivec2 next = min(cell + 1, last);
+  vec3 left = mix(texelFetch(box, cell, 0).rgb, texelFetch(box, ivec2(cell.x, next.y), 0).rgb, t.y);
+  vec3 right = mix(texelFetch(box, ivec2(next.x, cell.y), 0).rgb, texelFetch(box, next, 0).rgb, t.y);
+  return left + t.x * (right - left);
+}
+
+void main() {
+  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(p, frame.output_size))) return;
+  AxisPlace x = PlaceOf(p.x, frame.render_size.x, frame.output_size.x, frame.jitter.x);
+  AxisPlace y = PlaceOf(p.y, frame.render_size.y, frame.output_size.y, frame.jitter.y);
+  Surface surface = SurfaceAt(x, y);
+  vec2 scale = vec2(frame.output_size) / vec2(frame.render_size);
+  vec2 output_motion = surface.motion * scale;
+  float validity = ValidityAt(p, surface, output_motion);
+  vec3 result = vec3(0.0);
+  if (validity < 1.0) result = CurrentFrameAt(x, y);
+  if (validity > 0.0) {
+    vec3 warped = MOTION == kMotionUpsamplingStatic ? texelFetch(history, p, 0).rgb
+                                                    : WarpedHistory(p, output_motion).rgb;
+    ivec2 cell = ivec2(x.cell, y.cell);
+    vec2 t = vec2(x.fraction, y.fraction);
+    warped = clamp(warped, BoxAt(box_low, cell, t), BoxAt(box_high, cell, t));
+    result = validity < 1.0 ? result + validity * (warped - result) : warped;
+  }
+  imageStore(predicted, p, vec4(result, validity));
+}
