@@ -8,6 +8,7 @@
 
 #include "datasets/file.h"
 #include "tools/command.h"
+#include "tools/device_run.h"
 #include "tools/interrupt.h"
 #include "tools/judge/sequence_report.h"
 #include "tools/pipeline_options.h"
@@ -25,6 +26,7 @@ struct RunArguments {
   std::string sequence;
   std::string out;
   std::string format;
+  std::string device = DeviceNames().front();
   int every = 1;
   bool score = false;
   int settled = 0;  // of --score
@@ -73,6 +75,7 @@ class Runner {
       : arguments_(arguments),
         methods_(AsUsage([&] {
           std::vector<const MethodInfo*> methods = MethodsOf(arguments.modes);
+          for (const MethodInfo* method : methods) CheckDevice(arguments.device, *method);
           CheckArguments(arguments.pipeline);
           return methods;
         })),
@@ -118,7 +121,7 @@ class Runner {
     const int first = clip.frames.front().number;
     Progress progress("running " + output.mode,
                       ShownFrames(options, static_cast<int>(clip.frames.size())), "frames");
-    RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
+    RunModeOn(arguments_.device, clip, options, pool_, [&](const ShownFrame& shown) {
       ThrowIfInterrupted("run", "the frames that are written are whole");
       WriteShownFrame(output.folder, first, shown, clip.encoding, format_);
       output.files.push_back(ShownFileName(first, shown.time, format_));
@@ -195,6 +198,9 @@ void AddRunCommand(Command app, CommandRun* run) {
   command.Add("--out", a.out, "Folder for the frames").Required();
   command.Add("--format", a.format, "Format of the files (default: png, exr if linear)")
       .OneOf({"png", "exr"});
+  command.Add("--device", a.device, "Device that computes the frames")
+      .OneOf(DeviceNames())
+      .ShowDefault();
   command.Add("--every", a.every, "Render every N-th frame").Within(1, 64).ShowDefault();
   AddTableOptions(command, &a.pipeline);
   AddPipelineOptions(command, &a.pipeline);

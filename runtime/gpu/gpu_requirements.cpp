@@ -25,9 +25,6 @@ InputConventions InputConventions::DepthBuffer(float near_plane, float far_plane
 
 bool GpuSuperResolution::IsRunnable(const VulkanDevice& device,
                                     const SuperResolutionOptions& options, std::string* why) {
-  if (FiltersMotion(options)) {
-    return Refused("the GPU has no motion filter; expected none, or the processor", why);
-  }
   const PixelFormat format = HistoryFormatOf(options);
   if (format != PixelFormat::kRgba16F && format != PixelFormat::kRgba32F) {
     return Refused(

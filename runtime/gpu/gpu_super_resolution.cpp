@@ -7,6 +7,7 @@
 #include "runtime/gpu/frame_numbers.h"
 #include "runtime/gpu/gpu_commands.h"
 #include "runtime/gpu/shader_code.h"
+#include "runtime/motion_filter.h"
 #include "runtime/prefilter.h"
 #include "runtime/sr/reference.h"
 #include "runtime/warp/warp_kernels.h"
@@ -43,7 +44,8 @@ struct GpuSuperResolution::State {
   std::vector<std::int32_t> Constants() const;
   FrameNumbers NumbersOf(const RenderedFrame& frame) const;
   PrefilterNumbers PrefilterOfAxis(bool along_x) const;
-  void Upload(const RenderedFrame& frame) const;
+  MotionView Filtered(const RenderedFrame& frame);
+  void Upload(const RenderedFrame& frame);
   void Record(VkCommandBuffer commands, const RenderedFrame& frame);
   void Download(const MutableImageView& out) const;
   void Process(const RenderedFrame& frame, const MutableImageView& out);
@@ -59,6 +61,9 @@ struct GpuSuperResolution::State {
   GpuCommands commands;
   VkSampler sampler = VK_NULL_HANDLE;
   std::vector<std::unique_ptr<ComputePass>> passes;
+  SerialExecutor executor;  // of the motion filter
+  std::unique_ptr<MotionFilter> filter;
+  MotionBuffer filtered;
   std::vector<const char*> run;  // names of the passes of the last frame
   float jitter_x_before = 0, jitter_y_before = 0;
   bool has_history = false;
@@ -274,7 +279,18 @@ PrefilterNumbers GpuSuperResolution::State::PrefilterOfAxis(bool along_x) const 
           .taps = prefilter.taps};
 }
 
-void GpuSuperResolution::State::Upload(const RenderedFrame& frame) const {
+MotionView GpuSuperResolution::State::Filtered(const RenderedFrame& frame) {
+  if (!FiltersMotion(options)) return frame.motion;
+  if (filter == nullptr) {
+    filter = std::make_unique<MotionFilter>(options.render_width, options.render_height,
+                                            MotionFilterOptions{});
+    filtered = MotionBuffer(options.render_width, options.render_height);
+  }
+  filter->Apply(frame.depth, frame.motion, executor, filtered.view());
+  return static_cast<const MotionBuffer&>(filtered).view();
+}
+
+void GpuSuperResolution::State::Upload(const RenderedFrame& frame) {
   auto* to = reinterpret_cast<float*>(resources.buffer(color_bytes).bytes);
   const float unit = ChannelScale(frame.color.format);
   for (int y = 0; y < options.render_height; ++y) {
@@ -284,11 +300,12 @@ void GpuSuperResolution::State::Upload(const RenderedFrame& frame) const {
     }
   }
   if (!ReadsMotion(options)) return;
+  const MotionView vectors = Filtered(frame);
   const std::size_t row = static_cast<std::size_t>(options.render_width) * sizeof(float);
   for (int y = 0; y < options.render_height; ++y) {
     const auto at = static_cast<std::size_t>(y) * row;
     std::memcpy(resources.buffer(depth_bytes).bytes + at, frame.depth.Row<float>(y), row);
-    std::memcpy(resources.buffer(motion_bytes).bytes + 2 * at, frame.motion.Row(y), 2 * row);
+    std::memcpy(resources.buffer(motion_bytes).bytes + 2 * at, vectors.Row(y), 2 * row);
   }
 }
 

@@ -34,13 +34,13 @@ struct PassTime {
 
 class GpuSuperResolution {
  public:
-  // Whether the GPU has passes for the options, whose IsValid holds: no motion filter, and a history
-  // in RGBA16F or RGBA32F. Also false where the device cannot hold the images. *why (if not null) is
-  // a sentence.
+  // Whether the GPU has passes for the options, whose IsValid holds: a history in RGBA16F or
+  // RGBA32F. Also false where the device cannot hold the images. *why (if not null) is a sentence.
   static bool IsRunnable(const VulkanDevice& device, const SuperResolutionOptions& options,
                          std::string* why = nullptr);
 
-  // Runnable options. The table is copied. The device outlives the object. A GpuError where memory
+  // Runnable options. The motion filter runs on the processor, before the upload; with it the
+  // conventions must be the default ones. The table is copied. The device outlives the object. A GpuError where memory
   // or a shader cannot be had.
   GpuSuperResolution(const VulkanDevice& device, const SuperResolutionOptions& options,
                      const InputConventions& conventions = {});
