@@ -7,7 +7,8 @@
 set -eu
 
 # The one list of packages. openimageio-tools: the CMake package of libopenimageio-dev names its
-# programs.
+# programs. Those from glslang-tools on are of the GPU passes, which are left out without them, and
+# of their tests, which run on a processor by lavapipe.
 packages="
   g++ cmake ninja-build
   libceres-dev libeigen3-dev
@@ -19,6 +20,9 @@ packages="
   libcli11-dev nlohmann-json3-dev libfmt-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   gnuplot-nox
+  glslang-tools spirv-tools spirv-cross
+  libvulkan-dev libvulkan-volk-dev
+  mesa-vulkan-drivers vulkan-validationlayers
 "
 
 arm64_packages="

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -40,35 +41,41 @@ bool IsSymmetric(const Table& table) {
   return true;
 }
 
-// Values between braces or parentheses, eight a line.
+// Values between braces or parentheses, two a line.
 std::string Listed(const std::vector<std::string>& values) {
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    text += (i % 8 == 0 ? "\n  " : " ") + values[i] + (i + 1 < values.size() ? "," : "");
+    text += (i % 2 == 0 ? "\n  " : " ") + values[i] + (i + 1 < values.size() ? "," : "");
   }
   return text;
 }
 
+// In GLSL a variable: of a constant, compilers make a copy at each place that reads it.
 std::string ArrayOf(ShaderLanguage language, std::string_view type, std::string_view name,
                     const std::vector<std::string>& values) {
   const bool hlsl = language == ShaderLanguage::kHlsl;
-  return fmt::format("{0}const {1} {2}[{3}] = {4}{5}{6};\n", hlsl ? "static " : "", type, name,
+  return fmt::format("{0}{1} {2}[{3}] = {4}{5}{6};\n", hlsl ? "static const " : "", type, name,
                      values.size(), hlsl ? "{" : fmt::format("{}[{}](", type, values.size()),
                      Listed(values), hlsl ? "}" : ")");
 }
 
+// Two vectors of four words a row, two halves a word.
 std::vector<std::string> PackedRows(const Table& table) {
-  std::vector<std::string> words;
+  std::vector<std::string> vectors;
   for (int i = 0; i <= kHalf; ++i) {
     for (int j = 0; j <= i; ++j) {
-      for (int k = 0; k < kTaps * kTaps; k += 2) {
-        const std::uint32_t low = FloatToHalf(WeightOf(table, i, j, k));
-        const std::uint32_t high = FloatToHalf(WeightOf(table, i, j, k + 1));
-        words.push_back(fmt::format("0x{:08x}u", low | (high << 16)));
+      for (int half_row = 0; half_row < 2; ++half_row) {
+        std::array<std::uint32_t, 4> words{};
+        for (int k = 0; k < 8; ++k) {
+          const std::uint32_t bits = FloatToHalf(WeightOf(table, i, j, 8 * half_row + k));
+          words[static_cast<std::size_t>(k / 2)] |= bits << (16 * (k % 2));
+        }
+        vectors.push_back(fmt::format("uvec4({:#010x}u, {:#010x}u, {:#010x}u, {:#010x}u)", words[0],
+                                      words[1], words[2], words[3]));
       }
     }
   }
-  return words;
+  return vectors;
 }
 
 // The taps of one axis of the prefilter, from the middle to one side; of a recursion those of its
@@ -106,12 +113,14 @@ constexpr std::string_view kHlslWords = R"(#define WARPLUT_IMAGE Texture2D<float
 #define vec4 float4
 #define mat4 float4x4
 #define ivec2 int2
+#define uvec4 uint4
 )";
 constexpr std::string_view kHlslEnd = R"(
 #undef vec2
 #undef vec4
 #undef mat4
 #undef ivec2
+#undef uvec4
 )";
 
 constexpr std::string_view kLookup = R"(
@@ -123,11 +132,13 @@ mat4 @NAME@_node(int ix, int jy) {
   int i = flips_x ? @NODES@ - ix : ix;
   int j = flips_y ? @NODES@ - jy : jy;
   int row = j > i ? j * (j + 1) / 2 + i : i * (i + 1) / 2 + j;
+  uvec4 upper = @NAME@_rows[2 * row];
+  uvec4 lower = @NAME@_rows[2 * row + 1];
   mat4 w;
-  for (int k = 0; k < 4; ++k) {
-    w[k] = vec4(WARPLUT_HALVES(@NAME@_rows[8 * row + 2 * k]),
-                WARPLUT_HALVES(@NAME@_rows[8 * row + 2 * k + 1]));
-  }
+  w[0] = vec4(WARPLUT_HALVES(upper.x), WARPLUT_HALVES(upper.y));
+  w[1] = vec4(WARPLUT_HALVES(upper.z), WARPLUT_HALVES(upper.w));
+  w[2] = vec4(WARPLUT_HALVES(lower.x), WARPLUT_HALVES(lower.y));
+  w[3] = vec4(WARPLUT_HALVES(lower.z), WARPLUT_HALVES(lower.w));
   if (j > i) w = transpose(w);
   if (flips_x) w = mat4(w[0].wzyx, w[1].wzyx, w[2].wzyx, w[3].wzyx);
   if (flips_y) w = mat4(w[3], w[2], w[1], w[0]);
@@ -138,11 +149,15 @@ mat4 @NAME@_node(int ix, int jy) {
 mat4 @NAME@_weights(vec2 offset) {
   vec2 node = floor(offset * @NODES@.0);
   vec2 f = offset * @NODES@.0 - node;
-  int ix = int(node.x);
-  int jy = int(node.y);
-  mat4 upper = @NAME@_node(ix, jy) * (1.0 - f.x) + @NAME@_node(ix + 1, jy) * f.x;
-  mat4 lower = @NAME@_node(ix, jy + 1) * (1.0 - f.x) + @NAME@_node(ix + 1, jy + 1) * f.x;
-  return upper * (1.0 - f.y) + lower * f.y;
+  vec4 zero = vec4(0.0, 0.0, 0.0, 0.0);
+  mat4 w = mat4(zero, zero, zero, zero);
+  for (int corner = 0; corner < 4; ++corner) {
+    int x = corner % 2;
+    int y = corner / 2;
+    float share = (x == 1 ? f.x : 1.0 - f.x) * (y == 1 ? f.y : 1.0 - f.y);
+    w += @NAME@_node(int(node.x) + x, int(node.y) + y) * share;
+  }
+  return w;
 }
 
 // The weights of the nearest node.
@@ -218,7 +233,7 @@ std::string ShaderSource(const std::string& name, const std::string& banner, con
       "\n// Rows of nodes (i, j) with 0 <= j <= i <= {}, at i (i + 1) / 2 + j; two halves a "
       "word.\n",
       kHalf);
-  text += ArrayOf(language, "uint", "@NAME@_rows", PackedRows(table));
+  text += ArrayOf(language, "uvec4", "@NAME@_rows", PackedRows(table));
   text += kLookup;
   text += kSample;
   if (prefiltered) {

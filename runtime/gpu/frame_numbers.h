@@ -29,8 +29,9 @@ struct PrefilterNumbers {
   GpuInt2 size;
   std::int32_t along_x, reach;
   float pole;
+  std::array<float, 3> padding;
   std::array<float, kLargestFirReach + 1> taps;
 };
-static_assert(sizeof(PrefilterNumbers) == 52);
+static_assert(sizeof(PrefilterNumbers) == 64);
 
 }  // namespace warplut

@@ -276,6 +276,7 @@ PrefilterNumbers GpuSuperResolution::State::PrefilterOfAxis(bool along_x) const 
           .reach = PrefilterReach(prefilter),
           .pole = recursive ? static_cast<float>(PoleOfSide(static_cast<double>(prefilter.side)))
                             : 0.0f,
+          .padding = {},
           .taps = prefilter.taps};
 }
 

@@ -21,7 +21,7 @@ layout(push_constant) uniform PrefilterNumbers {
   int along_x;  // 1: rows, 0: columns
   int reach;
   float pole;
-  float taps[kLargestFirReach + 1];
+  vec4 taps[(kLargestFirReach + 1) / 4];  // t_0, t_1, ...
 } pass_;
 
 shared float tile[kLines * kStride * 3];
@@ -85,7 +85,7 @@ void main() {
       for (int j = 1; j <= reach; ++j) {
         int a = at - 3 * j, b = at + 3 * j;
         vec3 both = vec3(tile[a] + tile[b], tile[a + 1] + tile[b + 1], tile[a + 2] + tile[b + 2]);
-        c += pass_.taps[j] * (both - 2.0 * x);
+        c += pass_.taps[j / 4][j % 4] * (both - 2.0 * x);
       }
     }
     imageStore(coefficients, Pixel(first + i, first_line + line), vec4(c, 0.0));

@@ -1,0 +1,165 @@
+// NAME.glsl on a GPU: its weights, its sampling function and its prefilter against the test vectors
+// that are baked beside it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "datasets/file.h"
+#include "luts/bake/bake.h"
+#include "luts/quantize/quantize.h"
+#include "runtime/gpu/compute_pass.h"
+#include "runtime/gpu/gpu_commands.h"
+#include "runtime/prefilter.h"
+#include "tests/datasets/temporary_folder.h"
+#include "tests/luts/test_fits.h"
+#include "tests/runtime/gpu/gpu_fixture.h"
+
+namespace warplut {
+namespace {
+
+// Weights are halves, sums are of floats: what rounding makes of 16 products and of the bilinear
+// means.
+constexpr double kTolerance = 2e-6;
+constexpr int kRowLength = 40;  // pixels of the row that is prefiltered
+
+// Row v of the result: 4 texels of bilinear weights, 4 of nearest ones, the warped value; below them
+// the prefiltered row.
+constexpr const char* kMain = R"(
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D patches;
+layout(binding = 1) uniform sampler2D offsets;
+layout(binding = 2) uniform sampler2D row;
+layout(binding = 3, rgba32f) writeonly uniform image2D result;
+layout(push_constant) uniform Numbers { int vectors; } numbers;
+
+void main() {
+  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  if (p.y > numbers.vectors) return;
+  if (p.y == numbers.vectors) {
+#ifdef PREFILTER
+    ivec2 size = textureSize(row, 0);
+    if (p.x < size.x) imageStore(result, p, test_fit_prefilter(row, size, ivec2(p.x, 0), ivec2(1, 0)));
+#endif
+    return;
+  }
+  vec2 offset = texelFetch(offsets, ivec2(p.y, 0), 0).xy;
+  vec4 value = vec4(0.0);
+  if (p.x < 4) value = test_fit_weights(offset)[p.x];
+  else if (p.x < 8) value = test_fit_nearest_weights(offset)[p.x - 4];
+  else if (p.x == 8) value = test_fit_sample(patches, textureSize(patches, 0), vec2(6 * p.y + 2, 2) + 0.5 + offset);
+  else return;
+  imageStore(result, p, value);
+}
+)";
+
+class BakedShaderTest : public GpuTest, public testing::WithParamInterface<bool> {
+ protected:
+  std::vector<std::uint32_t> Compile(const std::string& source) const {
+    const auto path = [&](const char* name) { return (folder_ / name).string(); };
+    WriteFile(path("test.comp"),
+              "#version 450\n" + source + (GetParam() ? "#define PREFILTER\n" : "") + kMain);
+    const std::string command = std::string(WARPLUT_GLSLANG) + " -V " + path("test.comp") + " -o " +
+                                path("test.spv") + " > " + path("log");
+    EXPECT_EQ(std::system(command.c_str()), 0) << ReadFile(path("log"));
+    const std::string bytes = ReadFile(path("test.spv"));
+    std::vector<std::uint32_t> words(bytes.size() / 4);
+    std::memcpy(words.data(), bytes.data(), bytes.size());
+    return words;
+  }
+
+  const TemporaryFolder folder_;
+};
+// The source with every function alone: lavapipe compiles an array of weights for half a minute.
+INSTANTIATE_TEST_SUITE_P(Prefilter, BakedShaderTest, testing::Values(true));
+
+TEST_P(BakedShaderTest, GivesTheTestVectors) {
+  const Fit fit = GetParam() ? WithPrefilter(MakeFit(0)) : MakeFit(0.2);
+  const BakedFiles files = Bake(fit);
+  std::string source, vectors_text;
+  for (const BakedFile& file : files.gpu) {
+    if (file.ending == ".glsl") source = file.bytes;
+    if (file.ending == ".test.json") vectors_text = file.bytes;
+  }
+  const auto vectors = nlohmann::json::parse(vectors_text)["vectors"];
+  const int count = static_cast<int>(vectors.size());
+  ASSERT_GT(count, 0);
+
+  GpuResources resources(device());
+  constexpr VkFormat kRgba = VK_FORMAT_R32G32B32A32_SFLOAT;
+  const int images[] = {
+      resources.AddImage(kRgba, 6 * count, 6), resources.AddImage(kRgba, count, 1),
+      resources.AddImage(kRgba, kRowLength, 1), resources.AddImage(kRgba, kRowLength, count + 1)};
+  std::vector<int> buffers;
+  for (const int i : images) {
+    const GpuImage& image = resources.image(i);
+    buffers.push_back(
+        resources.AddBuffer(16 * static_cast<std::size_t>(image.width * image.height)));
+  }
+  resources.Allocate();
+  const auto floats = [&](int i) {
+    return reinterpret_cast<float*>(resources.buffer(buffers[static_cast<std::size_t>(i)]).bytes);
+  };
+  for (int v = 0; v < count; ++v) {
+    for (int k = 0; k < 36; ++k)
+      floats(0)[4 * (k / 6 * 6 * count + 6 * v + k % 6)] = vectors[v]["patch"][k];
+    for (int c = 0; c < 2; ++c) floats(1)[4 * v + c] = vectors[v]["offset"][c];
+  }
+  ImageBuffer row(kRowLength, 1, PixelFormat::kRgba32F);
+  ImageBuffer expected_row(kRowLength, 1, PixelFormat::kRgba32F);
+  for (int i = 0; i < 4 * kRowLength; ++i) {
+    const float sample = i % 7 == 0 ? 1.0f : 0.1f * static_cast<float>(i % 5);
+    row.view().Row<float>(0)[i] = sample;
+    floats(2)[i] = sample;
+  }
+
+  const std::vector<std::uint32_t> code = Compile(source);
+  VkSampler sampler = VK_NULL_HANDLE;
+  VkSamplerCreateInfo sampling = {};
+  sampling.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+  sampling.maxAnisotropy = 1;
+  CheckVulkan(vkCreateSampler(device().handle(), &sampling, nullptr, &sampler), "to test");
+  {
+    PassOptions options = {.name = "test",
+                           .spirv = code,
+                           .constants = {},
+                           .images = {},
+                           .numbers_bytes = 4,
+                           .width = kRowLength,
+                           .height = count + 1};
+    for (const int i : images) options.images.push_back({resources.image(i).view, i == images[3]});
+    const ComputePass pass(device(), options, sampler);
+    GpuCommands commands(device(), 1);
+    commands.Run([&](VkCommandBuffer recorded) {
+      for (const GpuImage& image : resources.images()) PrepareImage(recorded, image);
+      for (int i = 0; i < 3; ++i)
+        CopyToImage(recorded, resources.buffer(buffers[static_cast<std::size_t>(i)]),
+                    resources.image(images[i]));
+      pass.Record(recorded, &count);
+      CopyToBuffer(recorded, resources.image(images[3]), resources.buffer(buffers[3]));
+    });
+  }
+  vkDestroySampler(device().handle(), sampler, nullptr);
+
+  const float* result = floats(3);
+  for (int v = 0; v < count; ++v) {
+    const float* found = result + 4 * v * kRowLength;
+    for (int k = 0; k < 16; ++k) {
+      EXPECT_NEAR(found[k], vectors[v]["bilinear"]["weights"][k].get<float>(), kTolerance);
+      EXPECT_EQ(found[16 + k], vectors[v]["nearest"]["weights"][k].get<float>());
+    }
+    EXPECT_NEAR(found[32], vectors[v]["bilinear"]["value"].get<double>(), 10 * kTolerance);
+  }
+  if (!GetParam()) return;
+  const BakedTable halves = QuantizeToHalves(SampleFit(fit, kNodes));
+  PrefilterPass::Reference(halves.view().prefilter, static_cast<const ImageBuffer&>(row).view(),
+                           expected_row.view());
+  for (int i = 0; i < 4 * kRowLength; ++i) {
+    // kShaderPrefilterRest of the largest sample, and rounding.
+    EXPECT_NEAR(result[4 * count * kRowLength + i], expected_row.view().Row<float>(0)[i], 5e-5);
+  }
+}
+
+}  // namespace
+}  // namespace warplut
