@@ -31,8 +31,8 @@ constexpr bool HasShaderSource(Footprint footprint) { return footprint == Footpr
 std::string ShaderSource(const std::string& name, const std::string& banner, const Table& table,
                          ShaderLanguage language);
 
-// Compilers that keep no constant arrays take long: lavapipe of Mesa 22.3 half a minute. The texture
-// (table_texture.h) has no such cost, and suits passes that run each frame.
+// Compilers that keep no constant arrays take long: lavapipe of Mesa 22.3 half a minute. The
+// texture (table_texture.h) has no such cost, and suits passes that run each frame.
 
 // The sum of the taps of a recursive prefilter that are left out, relative to their sum.
 inline constexpr double kShaderPrefilterRest = 0x1p-16;

@@ -38,6 +38,8 @@ struct GpuSuperResolution::State {
         const InputConventions& stored);
   ~State() { vkDestroySampler(device.handle(), sampler, nullptr); }
 
+  // Whether what is shown differs from the history.
+  bool ShowsDecoded() const { return EncodingOf(options) == ColorEncoding::kLinearHdr; }
   void AddResources();
   void AddPasses();
   void Prepare();
@@ -139,7 +141,7 @@ void GpuSuperResolution::State::AddResources() {
   residual = image(HasResidual(options), format, rw, rh);
   variances = image(HasResidual(options), VK_FORMAT_R32_SFLOAT, tiles_x, tiles_y);
   smoothing = image(SmoothsAliasing(options), VK_FORMAT_R32_SFLOAT, tiles_x, tiles_y);
-  shown = image(true, format, ow, oh);
+  shown = image(ShowsDecoded(), format, ow, oh);
   const bool has_table = WarpsHistory(options) && FilterOf(options.warp) == Filter::kLut;
   const int layers = has_table ? LayoutOf(options.warp.table->footprint()).count : 1;
   table = resources.AddImage(VK_FORMAT_R32G32B32A32_SFLOAT, kTableNodes, kTableNodes, layers);
@@ -153,7 +155,7 @@ void GpuSuperResolution::State::AddResources() {
   depth_bytes = resources.AddBuffer(bytes(depth));
   motion_bytes = resources.AddBuffer(bytes(motion));
   table_bytes = resources.AddBuffer(bytes(table));
-  shown_bytes = resources.AddBuffer(bytes(shown));
+  shown_bytes = resources.AddBuffer(bytes(history));
   resources.Allocate();
   if (!has_table) return;
   const std::vector<float> texels = TableTexels(*options.warp.table);
@@ -333,7 +335,8 @@ void GpuSuperResolution::State::Record(VkCommandBuffer recorded, const RenderedF
   }
   for (const int pass : {samples, predict, difference, smooth, update, depth_range})
     record(pass, &numbers);
-  CopyToBuffer(recorded, resources.image(shown), resources.buffer(shown_bytes));
+  CopyToBuffer(recorded, resources.image(ShowsDecoded() ? shown : history),
+               resources.buffer(shown_bytes));
 }
 
 void GpuSuperResolution::State::Download(const MutableImageView& out) const {

@@ -1,7 +1,7 @@
 // Super resolution on a GPU: the passes of runtime/super_resolution.h as compute shaders.
 //
-// A port takes the shaders, FrameNumbers and the order of passes in Process; an engine binds its own
-// images in place of the uploads here. docs/GPU.md lists passes, resources and formats.
+// A port takes the shaders, FrameNumbers and the order of passes in Process; an engine binds its
+// own images in place of the uploads here. docs/GPU.md lists passes, resources and formats.
 #pragma once
 
 #include <memory>
@@ -39,9 +39,9 @@ class GpuSuperResolution {
   static bool IsRunnable(const VulkanDevice& device, const SuperResolutionOptions& options,
                          std::string* why = nullptr);
 
-  // Runnable options. The motion filter runs on the processor, before the upload; with it the
-  // conventions must be the default ones. The table is copied. The device outlives the object. A GpuError where memory
-  // or a shader cannot be had.
+  // Runnable options. The table is copied. The motion filter runs on the processor, before the
+  // upload; with it the conventions must be the default ones. The device outlives the object. A
+  // GpuError where memory or a shader cannot be had.
   GpuSuperResolution(const VulkanDevice& device, const SuperResolutionOptions& options,
                      const InputConventions& conventions = {});
   ~GpuSuperResolution();

@@ -66,6 +66,26 @@ TEST_F(RunCommand, WritesSuperResolvedFrames) {
   EXPECT_EQ(info.bits, 8);
 }
 
+TEST_F(RunCommand, RefusesAMethodThatADeviceLacks) {
+  ExpectRefused(RunWarplut(Arguments("i", {"--device", "vulkan"})), kUsage, "no passes for the");
+  EXPECT_FALSE(fs::exists(Path("out")));
+  ExpectRefused(RunWarplut(Arguments("sr", {"--device", "abacus"})), kUsage, "--device");
+}
+
+// The default history is in halves, and the files have 8 bits: a code apart at most.
+TEST_F(RunCommand, AGpuWritesTheSameFrames) {
+  const ProgramResult gpu =
+      RunWarplut(Arguments("sr", {"--device", "vulkan", "--out", Path("gpu")}));
+  if (gpu.code != 0) GTEST_SKIP() << gpu.err;
+  ASSERT_EQ(RunWarplut(Arguments("sr")).code, 0);
+  ASSERT_EQ(Files("gpu"), Files("out"));
+  for (const std::string& file : Files("out")) {
+    const Image expected = ReadImage(Path("out/" + file)), found = ReadImage(Path("gpu/" + file));
+    for (std::size_t i = 0; i < expected.pixels.size(); ++i)
+      ASSERT_NEAR(found.pixels[i], expected.pixels[i], 1.01 / 255) << file;
+  }
+}
+
 TEST_F(RunCommand, TellsOfInfiniteLinearColour) {
   const Sequence sequence =
       WritePan(folder_ / "bright", {.frames = 3, .color_space = ColorSpace::kLinear});

@@ -103,5 +103,6 @@ void main() {
   }
   q = clamp(q, 0.0, 1.0);
   imageStore(history, p, vec4(q, 1.0));
-  imageStore(shown, p, vec4(DecodeColor(q), 1.0));
+  // Display values are shown as the history holds them.
+  if (ENCODING == kColorEncodingLinearHdr) imageStore(shown, p, vec4(DecodeColor(q), 1.0));
 }

@@ -24,8 +24,8 @@ namespace {
 constexpr double kTolerance = 2e-6;
 constexpr int kRowLength = 40;  // pixels of the row that is prefiltered
 
-// Row v of the result: 4 texels of bilinear weights, 4 of nearest ones, the warped value; below them
-// the prefiltered row.
+// Row v of the result: 4 texels of bilinear weights, 4 of nearest ones, the warped value; below
+// them the prefiltered row.
 constexpr const char* kMain = R"(
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D patches;
@@ -40,7 +40,8 @@ void main() {
   if (p.y == numbers.vectors) {
 #ifdef PREFILTER
     ivec2 size = textureSize(row, 0);
-    if (p.x < size.x) imageStore(result, p, test_fit_prefilter(row, size, ivec2(p.x, 0), ivec2(1, 0)));
+    if (p.x >= size.x) return;
+    imageStore(result, p, test_fit_prefilter(row, size, ivec2(p.x, 0), ivec2(1, 0)));
 #endif
     return;
   }
@@ -48,8 +49,9 @@ void main() {
   vec4 value = vec4(0.0);
   if (p.x < 4) value = test_fit_weights(offset)[p.x];
   else if (p.x < 8) value = test_fit_nearest_weights(offset)[p.x - 4];
-  else if (p.x == 8) value = test_fit_sample(patches, textureSize(patches, 0), vec2(6 * p.y + 2, 2) + 0.5 + offset);
-  else return;
+  else if (p.x > 8) return;
+  vec2 position = vec2(6 * p.y + 2, 2) + 0.5 + offset;
+  if (p.x == 8) value = test_fit_sample(patches, textureSize(patches, 0), position);
   imageStore(result, p, value);
 }
 )";

@@ -1,0 +1,68 @@
+#include "runtime/gpu/pass_work.h"
+
+#include <algorithm>
+
+#include "runtime/configuration/chosen.h"
+#include "runtime/prefilter.h"
+#include "runtime/sr/aliasing.h"
+#include "runtime/warp/warp_kernels.h"
+
+namespace warplut {
+namespace {
+
+constexpr double kTexel = 8;        // RGBA16F
+constexpr double kScalar = 4;       // R32F
+constexpr double kTileLength = 64;  // of shaders/prefilter.comp
+
+}  // namespace
+
+std::vector<PassWork> WorkOf(const SuperResolutionOptions& options, const InputBytes& inputs) {
+  const double output = 1.0 * options.output_width * options.output_height;
+  const double render = 1.0 * options.render_width * options.render_height;
+  const double area = output / render;
+  const double tile = 1.0 * kAliasingTile * kAliasingTile;
+  std::vector<PassWork> work;
+  const Prefilter prefilter = PrefilterOf(options.warp);
+  if (HasPrefilter(prefilter)) {
+    const double overlap = 1 + 2 * PrefilterReach(prefilter) / kTileLength;
+    // Forward and backward: a difference, a product and a sum for each of three channels.
+    const double operations =
+        prefilter.kind == PrefilterKind::kRecursive ? 2 * 3 * 3 * overlap : prefilter.reach * 3 * 4;
+    for (const char* name : {"prefilter columns", "prefilter rows"})
+      work.push_back({name, output, overlap, operations, kTexel * overlap + kTexel});
+  }
+  // For each of 9 samples and 3 channels: encoding 3, least and greatest 2, sums 5.
+  work.push_back({"samples", render, 9, 9 * 3 * 10 + 3 * 8, inputs.color + 2 * kTexel});
+
+  // Depth and motion of 4 samples, the range of depths, boxes, then the table and its taps.
+  const bool table = FilterOf(options.warp) == Filter::kLut;
+  const double taps = TapCount(FootprintOf(options.warp));
+  const double nodes = LookupOf(options.warp) == Lookup::kBilinear ? 4 : 1;
+  const double weight_fetches = table ? taps / 4 * nodes : 0;
+  const double weight_operations = table ? (nodes > 1 ? 7 * taps : 0) + 4 * taps : 60;
+  const double predict_fetches = 4 + 4 + 2 + 8 + weight_fetches + taps;
+  const double predict_operations = weight_operations + 2 * 4 * taps + 60 + 40 + 25 + 42;
+  const double render_bytes = inputs.depth + inputs.motion + 2 * kTexel + 2 * kScalar;
+  work.push_back({"predict", output, predict_fetches, predict_operations,
+                  kTexel + render_bytes / area + kTexel});
+  work.push_back({"residual", render, 17, 16 * 3 * 2 + 24 + 40 + 20,
+                  inputs.color + kTexel * area + kTexel + kScalar / tile});
+  work.push_back({"aliasing", render / tile, 25, 60, 2 * kScalar});
+  const double shown = EncodingOf(options) == ColorEncoding::kLinearHdr ? kTexel : 0;
+  work.push_back({"update", output, 1 + 4 + 4, 90, kTexel + kTexel / area + kTexel + shown});
+  work.push_back({"depth range", render, 17, 16 * 2 + 17 * 4, inputs.depth + 2 * kScalar});
+  return work;
+}
+
+PassWork NineTapWarp(const SuperResolutionOptions& options) {
+  const double output = 1.0 * options.output_width * options.output_height;
+  return {"Catmull-Rom, 9 fetches", output, 9 + 1, 9 * 4 * 2 + 40, kTexel + 4 + kTexel};
+}
+
+double RooflineMilliseconds(const PassWork& work, double bytes_per_second,
+                            double operations_per_second) {
+  return 1000 * work.pixels *
+         std::max(work.bytes / bytes_per_second, work.operations / operations_per_second);
+}
+
+}  // namespace warplut
