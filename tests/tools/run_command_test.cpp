@@ -81,8 +81,8 @@ TEST_F(RunCommand, AGpuWritesTheSameFrames) {
   ASSERT_EQ(Files("gpu"), Files("out"));
   for (const std::string& file : Files("out")) {
     const Image expected = ReadImage(Path("out/" + file)), found = ReadImage(Path("gpu/" + file));
-    for (std::size_t i = 0; i < expected.pixels.size(); ++i)
-      ASSERT_NEAR(found.pixels[i], expected.pixels[i], 1.01 / 255) << file;
+    for (std::size_t i = 0; i < expected.data.size(); ++i)
+      ASSERT_NEAR(found.data[i], expected.data[i], 1.01 / 255) << file;
   }
 }
 

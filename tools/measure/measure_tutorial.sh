@@ -44,7 +44,7 @@ show judge 7 'warplut judge --sequence my/colonnade --modes sr,i \
     --lut luts/baked/warplut_iir_x2.json --pictures pictures'
 show train 9 'warplut train --scale 2 --data my/street my/plaza --out own_x2.json \
     --crops 8 --stages 2 --iterations 8'
-show bake 9 'warplut bake own_x2.json --out baked'
+show bake 16 'warplut bake own_x2.json --out baked'
 show header 8 "grep --after-context 7 Certificate baked/own_x2.h"
 show warps 9 'warplut eval --lut baked/own_x2.json --images my/colonnade --warps 6,24 \
     --against catmull-rom,spline:1/84'
