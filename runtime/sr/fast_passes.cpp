@@ -24,7 +24,8 @@ const SrPasses& PassesOfTarget() {
                               kPipeline.sr.motion != MotionUpsampling::kStatic;
   static constexpr SrPasses kPasses = {FillPlanes, Geometry,
                                        Predict,    kResidual ? Residual : nullptr,
-                                       Update,     kDepthGate ? DepthRange : nullptr};
+                                       Update,     kDepthGate ? DepthRange : nullptr,
+                                       false};
   return kPasses;
 #endif
 }

@@ -76,6 +76,8 @@ struct SrPasses {
                  const MutableImageView& out);
   // Render rows [begin, end) of the depth range that the next frame is compared with.
   void (*depth_range)(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest);
+  // Whether predict writes the validity of methods without history, too.
+  bool always_validity;
 };
 
 // Slow and obvious, one pixel after the other. Not to be called where the build does not contain

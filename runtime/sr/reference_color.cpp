@@ -319,8 +319,13 @@ void UpdateReference(const SrJob& job, int begin, int end, SrScratch& scratch,
 }
 
 const SrPasses& ReferencePasses() {
-  static constexpr SrPasses kPasses = {FillPlanesReference, GeometryReference, PredictReference,
-                                       ResidualReference,   UpdateReference,   DepthRangeReference};
+  static constexpr SrPasses kPasses = {FillPlanesReference,
+                                       GeometryReference,
+                                       PredictReference,
+                                       ResidualReference,
+                                       UpdateReference,
+                                       DepthRangeReference,
+                                       true};
   return kPasses;
 }
 

@@ -27,9 +27,8 @@ SrScratch::SrScratch(const SuperResolutionOptions& options)
       disoccluded(static_cast<std::size_t>(TileCount(options.output_width, kTileWidth))) {
   const int width = options.output_width;
   if (WarpsHistory(options)) motion = MotionBuffer(width, kBandRows);
-  // The formulas write it always; they are the kernels where there are no vectors.
-  const bool plain = &PassesOf(options) == &ReferencePasses();
-  if (WarpsHistory(options) || plain) validity = Plane(width, kBandRows);
+  if (WarpsHistory(options) || PassesOf(options).always_validity)
+    validity = Plane(width, kBandRows);
   output_rows = Plane(width, kOutputRows);
 }
 
