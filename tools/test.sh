@@ -73,6 +73,13 @@ END
   skipped=$((skipped + run_skipped))
 }
 
+# Whether clang++ is there and links with libFuzzer.
+has_fuzzer() {
+  command -v clang++ > /dev/null &&
+    echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+    clang++ -fsanitize=fuzzer,address,undefined -x c++ - -o build/has_fuzzer 2> /dev/null
+}
+
 if [ "$what" = --arm64 ]; then
   tools/install_dependencies.sh --arm64
   configure_and_build runtime-arm64
@@ -89,11 +96,11 @@ if [ "$what" = --full ]; then
   configure_and_build asan-ubsan test_compatibility test_datasets test_fuzz test_generation test_luts \
     test_runtime test_soak test_sr test_stability test_train test_train_kernels
   run_tests asan-ubsan --exclude-regex '_NOT_BUILT$'
-  if command -v clang++ > /dev/null; then
+  if has_fuzzer; then
     step "fuzz"
     if tools/measure/fuzz.sh "$fuzz_seconds"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
   else
-    echo "test.sh: clang++ is not installed; fuzzers are not run, only their corpora."
+    echo "test.sh: there is no clang++ with libFuzzer; fuzzers are not run, only their corpora."
   fi
 fi
 step "done"

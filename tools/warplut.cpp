@@ -13,7 +13,6 @@
 #include "runtime/warp.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
-#include "train/ranks/launch.h"
 #include "train/ranks/ranks.h"
 
 namespace warplut {
@@ -53,18 +52,19 @@ void RequireSharedWork(const std::string& command) {
 // the time to say so.
 ExitCode EndRanks(const std::string& sentence, ExitCode code) {
   constexpr auto kPatience = std::chrono::seconds(5);
-  if (LaunchedRanks() > 1) {
-    Ranks& ranks = Ranks::World();
-    if (!ranks.IsRoot()) std::this_thread::sleep_for(kPatience);
-    PrintError((ranks.IsRoot() ? "" : "rank " + std::to_string(ranks.rank()) + ": ") + sentence);
-    ranks.Abort(static_cast<int>(code));
-  } else {
+  const Ranks* ranks = Ranks::Started();
+  if (ranks == nullptr || ranks->IsRoot()) {
     PrintError(sentence);
+  } else {
+    std::this_thread::sleep_for(kPatience);
+    PrintError("rank " + std::to_string(ranks->rank()) + ": " + sentence);
   }
+  if (ranks != nullptr) ranks->Abort(static_cast<int>(code));
   return code;
 }
 
 ExitCode Run(int argc, char** argv) {
+  Ranks::World();  // so that the root speaks for all from here on
   CommandLine command_line(
       "warplut", "Trains, bakes, judges and runs resampling lookup tables for image warps.",
       WARPLUT_VERSION);

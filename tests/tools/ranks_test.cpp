@@ -42,6 +42,8 @@ class RanksOfTheProgram : public testing::Test {
     if (RunProgram("/bin/sh", {"-c", "command -v mpirun"}).code != 0) {
       GTEST_SKIP() << "mpirun is not installed";
     }
+    const ProgramResult trial = RunShellOnRanks(2, "true");
+    if (trial.code != 0) GTEST_SKIP() << "mpirun starts no two ranks here: " << trial.err;
     const ProgramResult list = RunOnRanks(2, {"dataset", "scenes"});
     if (list.err.find("built without MPI") != std::string::npos) {
       GTEST_SKIP() << "the build has no MPI";
@@ -176,6 +178,9 @@ TEST_F(RanksOfTheProgram, TellWhatFailed) {
   EXPECT_NE(missing.code, 0);
   EXPECT_THAT(missing.err, HasSubstr("nothing.png"));
   EXPECT_THAT(missing.err, testing::Not(HasSubstr("rank 1:"))) << "the root tells for all";
+  const ProgramResult unknown = RunOnRanks(2, {"train", "--nonsense"});
+  EXPECT_NE(unknown.code, 0);
+  EXPECT_THAT(unknown.err, testing::Not(HasSubstr("rank 1:")));
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ namespace {
 // All counts of MPI are ints: longer messages go in parts.
 constexpr std::size_t kLongestMessage = std::size_t{1} << 26;
 
+const Ranks* started = nullptr;
+
 void Broadcast(double* values, std::size_t count, int root) {
   for (std::size_t at = 0; at < count; at += kLongestMessage) {
     const auto part = static_cast<int>(std::min(kLongestMessage, count - at));
@@ -41,8 +43,11 @@ Ranks::~Ranks() {
 
 Ranks& Ranks::World() {
   static Ranks world;
+  started = &world;
   return world;
 }
+
+const Ranks* Ranks::Started() { return started; }
 
 void Ranks::Meet() {
   if (count_ > 1) MPI_Barrier(MPI_COMM_WORLD);
@@ -105,7 +110,7 @@ void Ranks::RequireSame(const std::string& subject, const std::string& text) {
   }
 }
 
-void Ranks::Abort(int code) {
+void Ranks::Abort(int code) const {
   if (count_ > 1) MPI_Abort(MPI_COMM_WORLD, code);
 }
 

@@ -4,6 +4,11 @@
 #include "train/ranks/ranks.h"
 
 namespace warplut {
+namespace {
+
+const Ranks* started = nullptr;
+
+}  // namespace
 
 Ranks::Ranks() {
   if (LaunchedRanks() > 1) {
@@ -17,14 +22,17 @@ Ranks::~Ranks() = default;
 
 Ranks& Ranks::World() {
   static Ranks world;
+  started = &world;
   return world;
 }
+
+const Ranks* Ranks::Started() { return started; }
 
 void Ranks::Meet() {}
 bool Ranks::Any(bool here) { return here; }
 double Ranks::OfRoot(double value) { return value; }
 void Ranks::Exchange(std::span<const int>, std::vector<std::vector<double>>&) {}
 void Ranks::RequireSame(const std::string&, const std::string&) {}
-void Ranks::Abort(int) {}
+void Ranks::Abort(int) const {}
 
 }  // namespace warplut

@@ -19,6 +19,8 @@ class Ranks {
   // Starts MPI at the first call if mpirun started this process and the build has MPI. Error: it
   // did, and the build has none.
   static Ranks& World();
+  // The same if World was called before and succeeded; else null.
+  static const Ranks* Started();
 
   int rank() const { return rank_; }    // in [0, count())
   int count() const { return count_; }  // at least 1
@@ -42,7 +44,7 @@ class Ranks {
   void RequireSame(const std::string& subject, const std::string& text);
 
   // Ends all ranks with this exit code; returns on a single rank alone.
-  void Abort(int code);
+  void Abort(int code) const;
 
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
