@@ -112,19 +112,27 @@ class PairFaults {
     }
   }
 
-  // With its motion, and as unrelated parts of the same layout would do.
+  // With its motion, and as unrelated parts of the same layout would do; after a change of exposure
+  // or light, the brightness of the other frame counts as changed alike.
   void AddErrors(const InspectedFrame& here, const InspectedFrame& there, const Image& motion,
                  double sign, Vec2 shift, int index) {
     PairCost warped, unrelated;
     const GridSize grid = sequence_.render;
+    double light_here = 0, light_there = 0;
+    ForPoints(grid, [&](int x, int y) {
+      light_here += here.luma.at(x, y);
+      light_there += there.luma.at(x, y);
+    });
+    const float gain =
+        light_here > 0 && light_there > 0 ? static_cast<float>(light_here / light_there) : 1.0F;
     ForPoints(grid, [&](int x, int y) {
       const float value = here.luma.at(x, y);
       const float w = BilinearAt(there.luma, x + sign * motion.at(x, y, 0) + shift.x,
                                  y + sign * motion.at(x, y, 1) + shift.y);
-      if (!std::isnan(w)) warped.Add(x, y, grid, w - value);
+      if (!std::isnan(w)) warped.Add(x, y, grid, gain * w - value);
       for (const int part : {1, 2, 3}) {
         unrelated.Add(x, y, grid,
-                      there.luma.at((x + part * grid.width / 4) % grid.width, y) - value);
+                      gain * there.luma.at((x + part * grid.width / 4) % grid.width, y) - value);
       }
     });
     errors_.push_back({index, warped.Mean(), unrelated.Mean()});

@@ -63,6 +63,19 @@ TEST(Findings, HaveAnUnmarkedCut) {
   }
 }
 
+TEST(Findings, AChangeOfLightIsNoCut) {
+  for (const float gain : {0.5F, 0.8F, 1.15F}) {
+    const Inspection inspection = InspectChanged([&](std::vector<Frame>& frames, Sequence&) {
+      for (int i = 3; i < kFrames; ++i) {
+        for (float& value : frames[static_cast<std::size_t>(i)].color.data) {
+          value = std::min(gain * value, 1.0F);
+        }
+      }
+    });
+    EXPECT_FALSE(Has(inspection, "unmarked cut")) << gain;
+  }
+}
+
 TEST(Findings, HaveAHud) {
   for (int variant = 0; variant < kVariants; ++variant) {
     const Inspection inspection = InspectChanged([&](std::vector<Frame>& frames, Sequence&) {
