@@ -11,7 +11,7 @@ namespace {
 constexpr float kReach = 0.75F;
 constexpr float kUnseen = std::numeric_limits<float>::infinity();
 
-// What arrived at a pixel: how far it is from the eye, and from the pixel's centre.
+// The sample that arrived at a pixel: how far it is from the eye, and from the pixel's centre.
 struct Arrival {
   float depth = kUnseen;
   float distance = kUnseen;

@@ -77,7 +77,7 @@ void CheckTargets(const Sequence& s) {
   }
 }
 
-// What only a reader understands: the file of a frame would need the motion of another one.
+// Fields for readers alone: the file of a frame would need the motion of another one.
 void CheckMotionOfFrame(const Sequence& s) {
   for (const auto* motion : {&s.motion, &s.reference_motion}) {
     const bool own = !*motion || ((*motion)->direction != MotionDirection::kCurrentToNext &&

@@ -13,7 +13,7 @@
 
 namespace warplut {
 
-// Of values as they are stored: codes for RGBA8.
+// In values as they are stored: codes for RGBA8.
 struct Difference {
   double largest = 0;         // of any channel
   double largest_within = 0;  // among the pixels of which no channel exceeds the tolerance
@@ -21,7 +21,7 @@ struct Difference {
   double rms = 0;             // over the channels
 };
 
-// Of `width` x `height` pixels; channel(x, y, c) gives a pair of values.
+// Over `width` x `height` pixels; channel(x, y, c) gives a pair of values.
 template <class Channel>
 Difference DifferenceOf(int width, int height, int channels, double tolerance,
                         const Channel& channel) {

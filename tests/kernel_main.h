@@ -1,4 +1,4 @@
-// What tests of kernels may ask their main function (kernel_main.cpp).
+// Questions that tests of kernels may ask their main function (kernel_main.cpp).
 #pragma once
 
 namespace warplut {

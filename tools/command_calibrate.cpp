@@ -196,7 +196,7 @@ Split LoadParts(const CalibrateArguments& arguments, const Pipeline& pipeline,
   return split;
 }
 
-// What the losses depend on, beside the files' contents.
+// The input that the losses depend on, beside the files' contents.
 std::string DataText(const CalibrateArguments& arguments, const Pipeline& pipeline,
                      const std::vector<Part>& parts) {
   std::string text =

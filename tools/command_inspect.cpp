@@ -41,7 +41,7 @@ void WriteAnswered(const Inspection& inspection, const Sequence& sequence,
   WriteFile(file, SequenceJson(answered));
 }
 
-// What the files hold that could not be loaded or counted as the manifest says.
+// The contents of files that could not be loaded or counted as the manifest says.
 void ReportProblems(const InspectArguments& arguments, const Sequence& sequence,
                     const std::vector<StreamInspection>& streams) {
   std::size_t problems = 0;

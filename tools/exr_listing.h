@@ -1,4 +1,4 @@
-// What an image file holds, as streams that a manifest could name.
+// The contents of an image file, as streams that a manifest could name.
 #pragma once
 
 #include <filesystem>

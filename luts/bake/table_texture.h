@@ -25,7 +25,7 @@ struct TableTexture {
   std::vector<std::uint16_t> halves;  // layer by layer, row by row, RGBA
 };
 
-// Of a table whose weights are halves.
+// A table whose weights are halves.
 TableTexture TextureOf(const Table& table);
 
 using KeyValues = std::vector<std::pair<std::string, std::string>>;  // sorted by key

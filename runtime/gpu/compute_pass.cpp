@@ -147,7 +147,7 @@ void ComputePass::Record(VkCommandBuffer commands, const void* numbers) const {
   vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
                      static_cast<std::uint32_t>(numbers_bytes_), numbers);
   vkCmdDispatch(commands, groups_x_, groups_y_, 1);
-  // What the next passes read, and what they overwrite after this one read it.
+  // The next passes read results of this one, or overwrite its inputs.
   const VkMemoryBarrier barrier = {
       .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
       .pNext = nullptr,

@@ -38,7 +38,7 @@ class GpuCommands {
 void PrepareImage(VkCommandBuffer commands, const GpuImage& image);
 // Afterwards shaders can read the image.
 void CopyToImage(VkCommandBuffer commands, const GpuBuffer& from, const GpuImage& to);
-// Of what shaders stored. The processor can read the buffer when the commands ended.
+// Results that shaders stored. The processor can read the buffer when the commands ended.
 void CopyToBuffer(VkCommandBuffer commands, const GpuImage& from, const GpuBuffer& to);
 
 }  // namespace warplut

@@ -117,7 +117,7 @@ GpuSuperResolution::State::State(const VulkanDevice& vulkan, const SuperResoluti
   }
 }
 
-// What the options do without is one texel: shaders name it, and do not read it.
+// Images that the options do without are one texel: shaders name them, and do not read them.
 void GpuSuperResolution::State::AddResources() {
   const int rw = options.render_width, rh = options.render_height;
   const int ow = options.output_width, oh = options.output_height;

@@ -1,4 +1,4 @@
-// What the passes of super resolution ask of a GPU, and the least time that takes.
+// The work of the passes of super resolution on a GPU, and the least time that takes.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace warplut {
 
-// Of one pass, per pixel of its grid: texels fetched, floating-point operations (a fused one counts
+// One pass, per pixel of its grid: texels fetched, floating-point operations (a fused one counts
 // as two) of an inner pixel with history, and bytes that must come from memory or go there: each
 // image once, as caches catch its neighbours.
 struct PassWork {

@@ -39,7 +39,7 @@ class VulkanDevice {
   int largest_image() const { return static_cast<int>(limits_.maxImageDimension2D); }
   // Nanoseconds of a tick of a timestamp; 0 where the queue has none.
   double tick() const { return tick_; }
-  // Of the validation layers so far, without those of severity info.
+  // Messages of the validation layers so far, without those of severity info.
   const std::vector<std::string>& messages() const { return messages_; }
 
   // Whether images of this format can be stored to by shaders, sampled and copied.

@@ -31,7 +31,7 @@ std::vector<Arguments> Stored(const TemporaryFolder& folder) {
   return lines;
 }
 
-// What people and scripts slip in; none starts long work.
+// Arguments that people and scripts slip in; none starts long work.
 const Arguments kOdd = {"",           "-",           "--",     "-1",         "0",    "nan",
                         "inf",        "1e999",       "-0",     "0x10",       "1,",   ",",
                         "2147483648", "-2147483649", "1e-400", "\xff\xfe",   "é",    "a\nb",

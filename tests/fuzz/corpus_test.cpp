@@ -47,7 +47,7 @@ TEST_P(FuzzCorpusTest, IsReadOrRefused) {
   EXPECT_GE(refused, 1);
 }
 
-// What a fuzzer tries first.
+// The inputs that a fuzzer tries first.
 TEST_P(FuzzCorpusTest, RefusesNothingAndNoise) {
   EXPECT_FALSE(GetParam().body(""));
   EXPECT_FALSE(GetParam().body(std::string_view("\0", 1)));

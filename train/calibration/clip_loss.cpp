@@ -40,7 +40,7 @@ class ClipLoss::Judge {
 
   std::size_t tiles() const { return static_cast<std::size_t>(grid_.count()); }
 
-  // Of each tile in the SSIM.
+  // The share of each tile in the SSIM.
   std::vector<double> Shares() const {
     std::vector<double> shares;
     for (int tile = 0; tile < grid_.count(); ++tile) shares.push_back(grid_.Share(tile));

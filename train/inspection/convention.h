@@ -49,7 +49,7 @@ struct JitterConvention {
   bool operator==(const JitterConvention&) const = default;
 };
 
-// What the manifest says.
+// The answer of the manifest.
 MotionConvention StatedMotion(const Sequence& sequence);
 
 // Every candidate; the stated one is the first. `encoded`: the stored values may be 0.5 + v / 2.

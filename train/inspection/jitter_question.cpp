@@ -31,7 +31,7 @@ struct Measured {
   }
 };
 
-// Of neighbouring frames, warped by motion that is known.
+// Between neighbouring frames, warped by motion that is known.
 std::vector<Measured> MeasureNeighbours(const InspectedClip& clip,
                                         const MotionConvention& convention) {
   std::vector<Measured> measured;
@@ -54,7 +54,7 @@ std::vector<Measured> MeasureNeighbours(const InspectedClip& clip,
   return measured;
 }
 
-// Of frames and their references.
+// Between frames and their references.
 std::vector<Measured> MeasureReferences(const InspectedClip& clip) {
   const Vec2 scale = {static_cast<double>(clip.output.width) / clip.render.width,
                       static_cast<double>(clip.output.height) / clip.render.height};

@@ -26,7 +26,7 @@ double Median(std::vector<double> values) {
   return *middle;
 }
 
-// What a cell of the image did over the pairs: warped as its motion says, and left where it is.
+// The behaviour of a cell over the pairs: warped as its motion says, and left where it is.
 struct Cell {
   int moving = 0;  // pairs in which it has motion and detail
   int stays = 0;   // those in which staying explains it far better
@@ -237,7 +237,7 @@ class PairFaults {
 
   void AddVignetteFinding(std::vector<Finding>* findings) const {
     const PairedDifference slope = Difference(vignette_, SampleScores(vignette_.size(), 0));
-    // What nears the camera through haze changes its brightness too, up to half as fast.
+    // A surface that nears the camera through haze changes its brightness too, up to half as fast.
     constexpr double kLeastSlope = 0.3;
     if (vignette_.size() < 3 || !slope.IsTold(kLeastSlope)) return;
     findings->push_back(

@@ -109,7 +109,7 @@ class StreamFaults {
     }
   }
 
-  // What the built-in scenes write where a surface was behind the camera.
+  // The value that the built-in scenes write where a surface was behind the camera.
   bool IsOutsideMark(const std::pair<float, float>& v) const {
     return std::abs(v.first - 2.0F * static_cast<float>(clip_.render.width)) < 0.01F &&
            std::abs(v.second - 2.0F * static_cast<float>(clip_.render.height)) < 0.01F;

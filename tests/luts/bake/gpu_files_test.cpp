@@ -1,4 +1,4 @@
-// What `bake` writes for GPUs: read back, and compared with the fit.
+// The files that `bake` writes for GPUs: read back, and compared with the fit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -67,7 +67,7 @@ struct ImageDifference {
   double rare = 0;  // share of channels that differ by more than a bound
 };
 
-// Of the colour channels of two RGBA32F images.
+// Over the colour channels of two RGBA32F images.
 inline ImageDifference Difference(const ImageBuffer& a, const ImageBuffer& b, double bound) {
   const ImageView image = a.view();
   ImageDifference difference;

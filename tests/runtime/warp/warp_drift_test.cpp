@@ -1,4 +1,4 @@
-// What is left of an image after many warps.
+// An image after many warps.
 #include <gtest/gtest.h>
 
 #include <cmath>
