@@ -2,6 +2,7 @@
 // heap.
 #include <vector>
 
+#include "tests/kernel_main.h"
 #include "tests/runtime/counted_allocations.h"
 #include "tests/runtime/sr/sr_fixture.h"
 
@@ -58,7 +59,8 @@ TEST(Stability, AConstantImageStaysConstant) {
 
 // A float history goes on settling in its last places for thousands of frames.
 TEST(Stability, AStillImageSettlesToTheSameBits) {
-  for (const SuperResolutionOptions& options : SomeOfEveryOption(TestOptions(13, 9, 26, 15))) {
+  for (const SuperResolutionOptions& options :
+       SomeOf(SomeOfEveryOption(TestOptions(13, 9, 26, 15)))) {
     if (options.history_format == PixelFormat::kRgba32F) continue;
     SerialExecutor executor;
     SuperResolution sr(options, executor);

@@ -9,7 +9,7 @@
 namespace warplut {
 namespace {
 
-int Warps() { return OnWidestInstructionSet() ? 10000 : 300; }
+int Warps() { return LongRuns() ? 10000 : 300; }
 constexpr int kWidth = 19;
 constexpr int kHeight = 7;
 
