@@ -15,10 +15,6 @@ using Cycle = std::vector<Vec2>;
 // Distances of offsets that differ by less than this are as good as equal.
 constexpr double kLeastJitterMargin = 1;
 
-Vec2 At(const Cycle& cycle, int index) {
-  return cycle.empty() ? Vec2{} : cycle[static_cast<std::size_t>(index) % cycle.size()];
-}
-
 // One measured offset, render pixels, and the frames whose jitters it is the difference of: that of
 // `here` minus that of `there` (-1: a reference, which has none).
 struct Measured {
@@ -26,7 +22,7 @@ struct Measured {
   Vec2 offset;
 
   Vec2 Predicted(const Cycle& cycle) const {
-    const Vec2 from = At(cycle, here), to = there < 0 ? Vec2{} : At(cycle, there);
+    const Vec2 from = JitterAt(cycle, here), to = there < 0 ? Vec2{} : JitterAt(cycle, there);
     return {from.x - to.x, from.y - to.y};
   }
 };
@@ -147,12 +143,6 @@ std::size_t Choose(const std::vector<JitterConvention>& candidates, const Eviden
   return chosen;
 }
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // The slope of the motion's median against the jitter's differences. Second differences over frames
 // take out a camera that moves smoothly.
 void AskContained(const InspectedClip& clip, const MotionConvention& convention, const Cycle& cycle,
@@ -172,7 +162,7 @@ void AskContained(const InspectedClip& clip, const MotionConvention& convention,
       x.push_back(motion.at(i, j, 0));
       y.push_back(motion.at(i, j, 1));
     });
-    const Vec2 now = At(cycle, index), before = At(cycle, index - 1);
+    const Vec2 now = JitterAt(cycle, index), before = JitterAt(cycle, index - 1);
     steps.push_back({index, {Median(x), Median(y)}, {now.x - before.x, now.y - before.y}});
   }
   std::vector<double> products, squares;

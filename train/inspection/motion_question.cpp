@@ -93,7 +93,8 @@ class MotionWarps {
     const Image* stored = StoredMotion(pixels, candidate.frame_offset);
     if (stored == nullptr) return {};
     const Affine affine = AffineOf(candidate, clip_.render, clip_.output);
-    const Vec2 from = JitterAt(pixels), to = JitterAt(other);
+    const Vec2 from = JitterAt(jitter_, clip_.frames[pixels].index);
+    const Vec2 to = JitterAt(jitter_, clip_.frames[other].index);
     const auto shift_x = static_cast<float>(from.x - to.x);
     const auto shift_y = static_cast<float>(from.y - to.y);
     const float sign = at_rest ? 0.0F : candidate.forward ? 1.0F : -1.0F;
@@ -117,11 +118,6 @@ class MotionWarps {
     const InspectedFrame& file = clip_.frames[static_cast<std::size_t>(at)];
     if (file.index != clip_.frames[frame].index + offset || file.motion.empty()) return nullptr;
     return &file.motion;
-  }
-
-  Vec2 JitterAt(std::size_t frame) const {
-    if (jitter_.empty()) return {};
-    return jitter_[static_cast<std::size_t>(clip_.frames[frame].index) % jitter_.size()];
   }
 
   const InspectedClip& clip_;

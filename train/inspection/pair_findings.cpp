@@ -15,17 +15,6 @@ namespace {
 
 constexpr int kCell = 8;  // side of the cells that a HUD is looked for in, pixels
 
-Vec2 At(const std::vector<Vec2>& cycle, int index) {
-  return cycle.empty() ? Vec2{} : cycle[static_cast<std::size_t>(index) % cycle.size()];
-}
-
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // The behaviour of a cell over the pairs: warped as its motion says, and left where it is.
 struct Cell {
   int moving = 0;  // pairs in which it has motion and detail
@@ -75,7 +64,7 @@ class PairFaults {
       motion = MotionInPixels(file->motion, motion_.found, sequence_.render, sequence_.output);
     }
     Compare(earlier, later, motion);
-    const Vec2 from = At(cycle_, here.index), to = At(cycle_, there.index);
+    const Vec2 from = JitterAt(cycle_, here.index), to = JitterAt(cycle_, there.index);
     Vec2 shift = {from.x - to.x, from.y - to.y};
     if (jittered_motion_) shift = {};
     const double sign = forward ? 1 : -1;
@@ -102,7 +91,7 @@ class PairFaults {
  private:
   void Compare(const InspectedFrame& earlier, const InspectedFrame& later, const Image& motion) {
     if (earlier.sharp_luma.data != later.sharp_luma.data) return;
-    const Vec2 a = At(cycle_, earlier.index), b = At(cycle_, later.index);
+    const Vec2 a = JitterAt(cycle_, earlier.index), b = JitterAt(cycle_, later.index);
     double longest = 0;
     ForPoints(sequence_.render, [&](int x, int y) {
       longest = std::max(longest, std::hypot(double{motion.at(x, y, 0)}, motion.at(x, y, 1)));

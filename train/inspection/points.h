@@ -27,6 +27,19 @@ inline std::vector<FramePair> UsablePairs(const InspectedClip& clip) {
   return pairs;
 }
 
+// The offset of the frame at `index`, (0, 0) without jitter.
+inline Vec2 JitterAt(const std::vector<Vec2>& cycle, int index) {
+  return cycle.empty() ? Vec2{} : cycle[static_cast<std::size_t>(index) % cycle.size()];
+}
+
+// The upper of the two in the middle; 0 of nothing.
+inline double Median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 // point(x, y) at about kQuestionPoints pixels of the grid, in a fixed order.
 template <class Point>
 void ForPoints(GridSize grid, const Point& point) {

@@ -232,7 +232,7 @@ class StreamFaults {
       }
       const bool finite = std::isfinite(sequence_.depth->far);
       const double unit = finite ? sequence_.depth->far : sequence_.depth->near;
-      const Vec2 jitter = cycle_.empty() ? Vec2{} : cycle_[index % cycle_.size()];
+      const Vec2 jitter = JitterAt(cycle_, frame.index);
       const CameraStep step(sequence_.camera[index - 1], sequence_.camera[index],
                             clip_.render.width, clip_.render.height, jitter);
       if (!step.Valid()) continue;
