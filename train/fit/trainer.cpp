@@ -103,6 +103,12 @@ double LargestSide(const TrainOptions& options, int reach) {
   return LargestSplineSide(options.gain_bound, reach);
 }
 
+CheckpointIdentity IdentityOf(const TrainOptions& resolved, const std::vector<TrainImage>& images) {
+  CheckpointIdentity identity{.options = resolved.Json(), .images = {}};
+  for (const TrainImage& i : images) identity.images.push_back({i.record.name, i.record.sha1});
+  return identity;
+}
+
 class Training {
  public:
   Training(const TrainOptions& options, const std::vector<TrainImage>& images,
@@ -117,10 +123,7 @@ class Training {
             DrawCrops(luma_, options_.crops / 3 + 1, Seed(options_, SeedFor::kValidation)),
             Seed(options_, SeedFor::kValidation, 1), kValidationPans, kProtocolPower, rivals_,
             nullptr)) {
-    state_.made_for.options = options_.Json();
-    for (const TrainImage& image : images) {
-      state_.made_for.images.push_back({image.record.name, image.record.sha1});
-    }
+    state_.made_for = IdentityOf(options_, images);
     state_.parameters = RandomParameters(Seed(options_, SeedFor::kStart), options_.footprint);
     if (rivals_.largest_side > 0) StartPrefilter();
     if (options_.footprint != Footprint::k16) StartWide();
@@ -382,8 +385,9 @@ TrainResult Train(const TrainOptions& options, const std::vector<TrainImage>& im
   if (!options.IsValid(&why)) throw Error("Training options: " + why);
   const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  std::string made_for = options.Resolved().Json();
-  for (const TrainImage& image : images) made_for += '\n' + image.record.sha1;
+  const CheckpointIdentity identity = IdentityOf(options.Resolved(), images);
+  std::string made_for = identity.options;
+  for (const auto& image : identity.images) made_for += '\n' + image.sha1;
   Ranks::World().RequireSame("the options or the images", made_for);
   Training training(options, images, progress);
   TrainResult result;
