@@ -16,19 +16,9 @@ case "${1:-}" in
     ;;
 esac
 times=${1:-10}
-cd "$(dirname "$0")/../.."
-root=$PWD
-warplut=${WARPLUT:-$root/build/release/tools/warplut}
-lut=$root/luts/baked/warplut_sr_x2.json
+# shellcheck source=tools/measure/small_inputs.sh
+. "$(dirname "$0")/small_inputs.sh"
 fit=$root/luts/fits/warplut_sr_x2.json
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM
-cd "$work"
-
-"$warplut" dataset render street --out input --width 64 --height 48 --frames 8 --samples 4 > /dev/null
-"$warplut" dataset render courtyard --out images --width 256 --height 192 --frames 2 --samples 2 \
-  --streams color,reference > /dev/null
 "$warplut" bake "$fit" --out whole/bake > /dev/null
 "$warplut" run --sequence input/street --mode sr --lut "$lut" --out whole/run > /dev/null
 cp -r input/street whole/render

@@ -21,18 +21,8 @@ seed=${2:-1}
 shift
 if [ $# -gt 0 ]; then shift; fi
 if [ $# -eq 0 ]; then set -- render train calibrate run report; fi
-cd "$(dirname "$0")/../.."
-root=$PWD
-warplut=${WARPLUT:-$root/build/release/tools/warplut}
-lut=$root/luts/baked/warplut_sr_x2.json
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM
-cd "$work"
-
-"$warplut" dataset render street --out input --width 64 --height 48 --frames 8 --samples 4 > /dev/null
-"$warplut" dataset render courtyard --out images --width 256 --height 192 --frames 2 --samples 2 \
-  --streams color,reference > /dev/null
+# shellcheck source=tools/measure/small_inputs.sh
+. "$(dirname "$0")/small_inputs.sh"
 
 # command_of COMMAND: its command line, for the folder `out` of the working folder.
 command_of() {

@@ -40,9 +40,9 @@ row() {
   echo "| $name | $alone | $shared | $share |" >> "$table.part"
 }
 
-"$warplut" dataset render training --out "$out/scenes" --width 480 --height 270 --frames 8 \
-  --samples 16 > "$out/render.log"
-mkdir -p "$out/tables"
+for scene in still courtyard street meadow machinery plaza; do
+  render_missing "$scene" "$out/scenes" --width 480 --height 270 --frames 8 --samples 16
+done
 echo "| work | 1 rank, 2 threads, s | 2 ranks, 1 thread each, s | share of the speed |" \
   > "$table.part"
 echo "|---|---|---|---|" >> "$table.part"
