@@ -13,8 +13,8 @@
 namespace warplut {
 namespace {
 
-// Bounds on whole runs of 32 frames, dB: the least PSNR of the GPU's frames against the processor's,
-// and the most that the PSNR against the references may change.
+// Bounds on whole runs of 32 frames, dB: the least PSNR of the GPU's frames against the
+// processor's, and the most that the PSNR against the references may change.
 constexpr double kLeastPsnr32 = 60, kLeastPsnr16 = 50, kScoreChange = 0.02;
 constexpr int kFrames = 32;
 
