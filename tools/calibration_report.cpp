@@ -6,12 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "tools/table_text.h"
-
 namespace warplut {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const ParameterInfo& InfoOf(const CalibratedParameter& parameter) {
   return kParameters[static_cast<std::size_t>(parameter.parameter)];

@@ -2,10 +2,10 @@
 // parameters.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "tools/tables/record_table.h"
 #include "train/calibration/calibration.h"
 
 namespace warplut {
@@ -32,7 +32,7 @@ struct CalibrationReport {
   double Loss(double CalibrationScore::*at, bool held_out) const;
 };
 
-nlohmann::ordered_json ToJson(const CalibrationReport& report);
+Json ToJson(const CalibrationReport& report);
 
 // Tables of parameters, losses and starts, and sentences about what a reader should not overlook.
 std::string ToText(const CalibrationReport& report);

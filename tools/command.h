@@ -3,12 +3,12 @@
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "datasets/error.h"
 #include "tools/command_line.h"
+#include "tools/tables/record_table.h"
 
 namespace warplut {
 
@@ -27,7 +27,6 @@ class UsageError : public Error {
 };
 
 using CommandRun = std::function<ExitCode()>;
-using Json = nlohmann::ordered_json;
 
 // Adds one subcommand to `app`. Parsing it sets `*run`, which must outlive `app`, to what it does.
 using CommandAdder = void (*)(Command app, CommandRun* run);

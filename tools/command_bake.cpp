@@ -10,7 +10,7 @@
 #include "luts/bake/table_io.h"
 #include "luts/table.h"
 #include "tools/command.h"
-#include "tools/lut_picture.h"
+#include "tools/pictures/lut_picture.h"
 #include "tools/table_format.h"
 
 namespace warplut {

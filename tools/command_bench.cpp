@@ -2,10 +2,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "tools/bench/generation_benchmark.h"
-#include "tools/bench/sr_benchmark.h"
-#include "tools/bench/ssim_benchmark.h"
-#include "tools/bench/warp_benchmark.h"
+#include "tools/bench/benchmark_tables.h"
 #include "tools/command.h"
 
 namespace warplut {
@@ -17,25 +14,19 @@ struct BenchArguments {
   bool json = false;
 };
 
-Json ToJson(const Timing& timing) {
-  return {{"min", timing.min}, {"median", timing.median}, {"max", timing.max}};
+template <class Benchmark>
+void PrintBenchmark(const Benchmark& benchmark, bool json) {
+  if (json) {
+    PrintJson(ToJson(benchmark));
+  } else {
+    Print(ToText(benchmark));
+  }
 }
 
-Json ToJson(const WarpBenchmark& benchmark) {
-  Json rows = Json::array();
-  for (const WarpBenchmarkRow& row : benchmark.rows) {
-    rows.push_back({{"format", Name(row.format)},
-                    {"motion", row.motion},
-                    {"filter", row.filter},
-                    {"competitor", row.competitor},
-                    {"warp_ms", ToJson(row.warp)},
-                    {"competitor_ms", ToJson(row.other)},
-                    {"ratio", ToJson(row.ratio)},
-                    {"target", row.target},
-                    {"met", row.met()},
-                    {"worst_error_codes", row.worst_error}});
-  }
-  return {{"target", benchmark.target}, {"opencv", benchmark.opencv}, {"rows", rows}};
+template <class Row>
+ExitCode AllMet(const std::vector<Row>& rows) {
+  const bool met = std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.met(); });
+  return met ? ExitCode::kDone : ExitCode::kMissed;
 }
 
 ExitCode RunBenchWarp(BenchArguments arguments) {
@@ -52,14 +43,8 @@ ExitCode RunBenchWarp(BenchArguments arguments) {
   std::string why;
   RequireUsage(options.IsValid(&why), why);
   const WarpBenchmark benchmark = RunWarpBenchmark(options);
-  if (arguments.json) {
-    PrintJson(ToJson(benchmark));
-  } else {
-    Print(FormatTable(benchmark));
-  }
-  const bool met = std::all_of(benchmark.rows.begin(), benchmark.rows.end(),
-                               [](const WarpBenchmarkRow& row) { return row.met(); });
-  return met ? ExitCode::kDone : ExitCode::kMissed;
+  PrintBenchmark(benchmark, arguments.json);
+  return AllMet(benchmark.rows);
 }
 
 struct BenchSsimArguments {
@@ -71,14 +56,7 @@ struct BenchSsimArguments {
 
 ExitCode RunBenchSsim(const BenchSsimArguments& arguments) {
   const SsimBenchmark b = RunSsimBenchmark(arguments.width, arguments.height, arguments.repeats);
-  if (arguments.json) {
-    PrintJson({{"mpixels", b.mpixels},
-               {"prepared_mpixels", b.prepared_mpixels},
-               {"opencv_ratio", b.opencv_ratio},
-               {"error", b.error}});
-  } else {
-    Print(FormatTable(b));
-  }
+  PrintBenchmark(b, arguments.json);
   return b.mpixels >= kSsimTargetMpixels ? ExitCode::kDone : ExitCode::kMissed;
 }
 
@@ -86,58 +64,16 @@ ExitCode RunBenchSr(const SrBenchmarkOptions& options, bool json) {
   std::string why;
   RequireUsage(options.IsValid(&why), why);
   const std::vector<SrBenchmarkRow> rows = RunSrBenchmark(options);
-  if (json) {
-    Json list = Json::array();
-    for (const SrBenchmarkRow& row : rows) {
-      list.push_back({{"output", {row.width, row.height}},
-                      {"motion", row.motion},
-                      {"variant", row.variant},
-                      {"frame_ms", ToJson(row.process)},
-                      {"warp_ms", ToJson(row.warp)},
-                      {"ratio", ToJson(row.ratio)},
-                      {"target", row.target},
-                      {"met", row.met()},
-                      {"differing_share", row.flipped},
-                      {"memory_images", row.memory}});
-    }
-    PrintJson({{"rows", list}});
-  } else {
-    Print(FormatTable(rows));
-  }
-  const bool met =
-      std::all_of(rows.begin(), rows.end(), [](const SrBenchmarkRow& row) { return row.met(); });
-  return met ? ExitCode::kDone : ExitCode::kMissed;
+  PrintBenchmark(rows, json);
+  return AllMet(rows);
 }
 
 ExitCode RunBenchGeneration(const GenerationBenchmarkOptions& options, bool json) {
   std::string why;
   RequireUsage(options.IsValid(&why), why);
   const std::vector<GenerationBenchmarkRow> rows = RunGenerationBenchmark(options);
-  if (json) {
-    Json list = Json::array();
-    for (const GenerationBenchmarkRow& row : rows) {
-      list.push_back({{"size", {row.width, row.height}},
-                      {"format", row.content},
-                      {"motion", row.motion},
-                      {"interpolates", row.interpolates},
-                      {"frame_ms", ToJson(row.frame)},
-                      {"warp_ms", ToJson(row.warp)},
-                      {"ratio", ToJson(row.ratio)},
-                      {"forward_ms", ToJson(row.forward)},
-                      {"splat_ms", ToJson(row.splat)},
-                      {"target_motion_ms", ToJson(row.target_motion)},
-                      {"blend_ms", ToJson(row.blend)},
-                      {"target", row.target},
-                      {"met", row.met()},
-                      {"memory_images", row.memory}});
-    }
-    PrintJson({{"rows", list}});
-  } else {
-    Print(FormatTable(rows));
-  }
-  const bool met = std::all_of(rows.begin(), rows.end(),
-                               [](const GenerationBenchmarkRow& row) { return row.met(); });
-  return met ? ExitCode::kDone : ExitCode::kMissed;
+  PrintBenchmark(rows, json);
+  return AllMet(rows);
 }
 
 void AddBenchGeneration(Command bench, CommandRun* run) {

@@ -1,15 +1,13 @@
 // warplut compare: two folders of frames, PSNR and SSIM per frame and mean.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 
 #include "datasets/image_io.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
-#include "tools/judge/compare.h"
+#include "tools/judge/score_columns.h"
 #include "tools/progress.h"
-#include "tools/table_text.h"
 
 namespace warplut {
 namespace {
@@ -23,16 +21,16 @@ struct CompareOptions {
   bool json = false;
 };
 
-// A PSNR in JSON: equal images have no finite one, so null.
-Json JsonPsnr(double psnr) { return std::isfinite(psnr) ? Json(psnr) : Json(nullptr); }
-
 Json ToJson(const FrameScore& score) {
-  return {{"name", score.name}, {"psnr", JsonPsnr(score.psnr)}, {"ssim", score.ssim}};
+  Json json = {{"name", score.name}};
+  json.update(RecordJson(kFrameColumns, TimedScore{score}));
+  return json;
 }
 
 std::vector<std::string> ToRow(const FrameScore& score) {
-  const std::string psnr = std::isfinite(score.psnr) ? fmt::format("{:.2f}", score.psnr) : "equal";
-  return {score.name, psnr, fmt::format("{:.4f}", score.ssim)};
+  std::vector<std::string> row = RecordRow(kFrameColumns, TimedScore{score});
+  row.insert(row.begin(), score.name);
+  return row;
 }
 
 // Whether a file of the pair may hold linear HDR.
@@ -74,7 +72,8 @@ ExitCode Compare(const CompareOptions& options) {
                {"mean", ToJson(mean)},
                {"targets_met", met}});
   } else {
-    TextTable table{.header = {"frame", "PSNR dB", "SSIM"}, .rows = {}};
+    TextTable table = RecordHeader(kFrameColumns);
+    table.header.insert(table.header.begin(), "frame");
     for (const FrameScore& score : scores) table.rows.push_back(ToRow(score));
     table.rows.push_back(ToRow(mean));
     Print(ToText(table));

@@ -12,7 +12,7 @@
 #include "tools/judge/image_set.h"
 #include "tools/judge/sr_cross.h"
 #include "tools/progress.h"
-#include "tools/table_text.h"
+#include "tools/tables/table_text.h"
 #include "tools/thread_limit.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/trainer.h"

@@ -15,10 +15,10 @@
 #include "tools/judge/eval_report.h"
 #include "tools/judge/image_set.h"
 #include "tools/judge/protocol_filter.h"
+#include "tools/pictures/warp_picture.h"
 #include "tools/progress.h"
 #include "tools/table_format.h"
 #include "tools/thread_limit.h"
-#include "tools/warp_picture.h"
 #include "train/metrics/luma.h"
 
 namespace warplut {

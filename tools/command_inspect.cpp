@@ -7,11 +7,11 @@
 #include "datasets/sequence.h"
 #include "tools/command.h"
 #include "tools/command_dataset.h"
-#include "tools/exr_listing.h"
-#include "tools/inspection_text.h"
+#include "tools/inspection/exr_listing.h"
+#include "tools/inspection/inspection_text.h"
+#include "tools/inspection/sequence_inspection.h"
 #include "tools/interrupt.h"
 #include "tools/progress.h"
-#include "tools/sequence_inspection.h"
 #include "tools/warning.h"
 
 namespace warplut {

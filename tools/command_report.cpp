@@ -5,7 +5,7 @@
 
 #include "tools/command.h"
 #include "tools/report/report.h"
-#include "tools/table_text.h"
+#include "tools/tables/table_text.h"
 
 namespace warplut {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/stability/cases/stability_table.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
 #include "tools/progress.h"
-#include "tools/stability/stability_table.h"
 
 namespace warplut {
 namespace {

@@ -13,7 +13,7 @@
 #include "tools/interrupt.h"
 #include "tools/judge/image_set.h"
 #include "tools/progress.h"
-#include "tools/table_text.h"
+#include "tools/tables/table_text.h"
 #include "train/fit/trainer.h"
 #include "train/ranks/ranks.h"
 

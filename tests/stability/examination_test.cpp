@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "tools/stability/runtime_methods.h"
-#include "tools/stability/stability_clip.h"
+#include "tests/stability/cases/passes/runtime_methods.h"
+#include "tests/stability/cases/stability_clip.h"
 
 namespace warplut {
 namespace {

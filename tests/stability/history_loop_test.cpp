@@ -1,11 +1,11 @@
-#include "tools/stability/history_loop.h"
+#include "tests/stability/cases/history/history_loop.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "tools/stability/stability_clip.h"
+#include "tests/stability/cases/stability_clip.h"
 
 namespace warplut {
 namespace {

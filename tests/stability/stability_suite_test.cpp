@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "tools/stability/stability_table.h"
+#include "tests/stability/cases/stability_table.h"
 
 namespace warplut {
 

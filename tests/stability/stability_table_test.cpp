@@ -1,4 +1,4 @@
-#include "tools/stability/stability_table.h"
+#include "tests/stability/cases/stability_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(StabilityTable, EffortReachesTheCase) {
 }
 
 TEST(StabilityTable, HasARowForEachOutcomeAndRemarksForMarkedCases) {
-  const StabilityOutcome outcomes[] = {
+  const std::vector<StabilityOutcome> outcomes = {
       RunStabilityCase(Case(Pass), StabilityEffort::kFull),
       RunStabilityCase(Case(Fail, "It shows the wrong side."), StabilityEffort::kFull)};
   const TextTable table = StabilityTable(outcomes);

@@ -8,7 +8,7 @@
 #include "tests/datasets/temporary_folder.h"
 #include "tests/tools/program.h"
 #include "tests/train/replay/pan_sequence.h"
-#include "tools/sequence_pictures.h"
+#include "tools/pictures/sequence_pictures.h"
 
 namespace warplut {
 namespace {

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "tests/datasets/temporary_folder.h"
+#include "tests/tools/json_document.h"
 
 namespace warplut {
 namespace {
@@ -54,6 +55,18 @@ void InterruptWhen(pid_t process, const Condition& ready) {
     std::this_thread::sleep_for(kPoll);
   }
   kill(process, SIGINT);
+}
+
+// The JSON of a command is as docs/JSON.md has it.
+void ExpectDocumented(const std::vector<std::string>& arguments, const std::string& out) {
+  if (out.empty()) return;  // standard output is a file
+  const std::string section = JsonSection(arguments);
+  const auto page = Contents(std::filesystem::path(WARPLUT_SOURCE) / "docs/JSON.md");
+  const std::vector<DocumentedKey> keys = DocumentedKeys(page, section);
+  EXPECT_FALSE(keys.empty()) << "docs/JSON.md has no section " << section;
+  for (const std::string& fault : JsonFaults(nlohmann::json::parse(out), keys)) {
+    ADD_FAILURE() << "docs/JSON.md, " << section << ": " << fault;
+  }
 }
 
 }  // namespace
@@ -97,7 +110,10 @@ ProgramResult RunProgram(const std::string& program, const std::vector<std::stri
 }
 
 ProgramResult RunWarplut(const std::vector<std::string>& arguments, const ProgramSetup& setup) {
-  return RunProgram(WARPLUT_PROGRAM, arguments, setup);
+  ProgramResult result = RunProgram(WARPLUT_PROGRAM, arguments, setup);
+  const bool asks = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
+  if (asks && (result.code == 0 || result.code == kMissed)) ExpectDocumented(arguments, result.out);
+  return result;
 }
 
 std::vector<std::string> CommandLine(

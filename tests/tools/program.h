@@ -30,6 +30,7 @@ struct ProgramSetup {
 
 ProgramResult RunProgram(const std::string& program, const std::vector<std::string>& arguments,
                          const ProgramSetup& setup = {});
+// JSON that a command prints is checked against docs/JSON.md.
 ProgramResult RunWarplut(const std::vector<std::string>& arguments, const ProgramSetup& setup = {});
 
 // `command`, then those of `defaults` (options with one value) that `more` does not name, then

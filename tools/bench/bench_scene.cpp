@@ -1,7 +1,5 @@
 #include "tools/bench/bench_scene.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "runtime/core/pixel.h"
@@ -67,10 +65,6 @@ double FlippedShare(const ImageView& a, const ImageView& b, float bound) {
     }
   }
   return static_cast<double>(flipped) / (static_cast<double>(a.width) * a.height);
-}
-
-std::string TargetText(double target, bool met) {
-  return target > 0 ? fmt::format("{:.1f}{}", target, met ? "" : "!") : "";
 }
 
 }  // namespace warplut

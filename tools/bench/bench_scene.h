@@ -47,7 +47,4 @@ class BenchScene {
 // images have one size and format.
 double FlippedShare(const ImageView& a, const ImageView& b, float bound);
 
-// "3.0", "3.0!" where it is missed, "" where there is no target (0).
-std::string TargetText(double target, bool met);
-
 }  // namespace warplut

@@ -179,24 +179,4 @@ std::vector<GenerationBenchmarkRow> RunGenerationBenchmark(
   return rows;
 }
 
-std::string FormatTable(const std::vector<GenerationBenchmarkRow>& rows) {
-  std::string text =
-      "Frame generation, one thread; milliseconds; ratio = frame / one warp of a source\n" +
-      fmt::format(
-          "{:<12} {:<8} {:<8} {:<12} {:>7} {:>7} {:>20} {:>7} {:>8} {:>6} {:>7} {:>6} {:>7}\n",
-          "size", "format", "motion", "frame at", "frame", "warp", "ratio [min, max]", "target",
-          "forward", "splat", "motion", "blend", "memory");
-  for (const GenerationBenchmarkRow& row : rows) {
-    text += fmt::format(
-        "{:<12} {:<8} {:<8} {:<12} {:>7.2f} {:>7.2f} {:>6.2f} [{:>4.2f}, {:>5.2f}] {:>7} {:>8.2f} "
-        "{:>6.2f} {:>7.2f} {:>6.2f} {:>7.2f}\n",
-        fmt::format("{} x {}", row.width, row.height), row.content, row.motion,
-        row.interpolates ? "alpha" : "1 + alpha", row.frame.median, row.warp.median,
-        row.ratio.median, row.ratio.min, row.ratio.max, TargetText(row.target, row.met()),
-        row.forward.median, row.splat.median, row.target_motion.median, row.blend.median,
-        row.memory);
-  }
-  return text + "memory: in RGBA16F images.\n";
-}
-
 }  // namespace warplut

@@ -43,7 +43,4 @@ struct GenerationBenchmarkRow {
 std::vector<GenerationBenchmarkRow> RunGenerationBenchmark(
     const GenerationBenchmarkOptions& options);
 
-// The rows as a table for people, one line each.
-std::string FormatTable(const std::vector<GenerationBenchmarkRow>& rows);
-
 }  // namespace warplut

@@ -127,23 +127,4 @@ std::vector<SrBenchmarkRow> RunSrBenchmark(const SrBenchmarkOptions& options) {
   return rows;
 }
 
-std::string FormatTable(const std::vector<SrBenchmarkRow>& rows) {
-  std::string text =
-      "Super resolution, one thread; ratio = frame / warp of an RGBA16F history alone\n" +
-      fmt::format("{:<12} {:<8} {:<12} {:>9} {:>9} {:>26} {:>7} {:>8} {:>8}\n", "output", "motion",
-                  "variant", "frame ms", "warp ms", "ratio median [min, max]", "target", "differ",
-                  "memory");
-  for (const SrBenchmarkRow& row : rows) {
-    text += fmt::format(
-        "{:<12} {:<8} {:<12} {:>9.3f} {:>9.3f} {:>10.2f} [{:>5.2f}, {:>5.2f}] {:>7} {:>8.1e} "
-        "{:>8.2f}\n",
-        fmt::format("{} x {}", row.width, row.height), row.motion, row.variant, row.process.median,
-        row.warp.median, row.ratio.median, row.ratio.min, row.ratio.max,
-        TargetText(row.target, row.met()), row.flipped, row.memory);
-  }
-  return text +
-         "differ: share of pixels that differ from the plain version by more than half a "
-         "code value; memory: in RGBA16F images of the output.\n";
-}
-
 }  // namespace warplut

@@ -39,7 +39,4 @@ struct SrBenchmarkRow {
 // fall on the other side by rounding).
 std::vector<SrBenchmarkRow> RunSrBenchmark(const SrBenchmarkOptions& options);
 
-// The rows as a table for people, one line each.
-std::string FormatTable(const std::vector<SrBenchmarkRow>& rows);
-
 }  // namespace warplut

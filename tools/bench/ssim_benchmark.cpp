@@ -85,12 +85,4 @@ SsimBenchmark RunSsimBenchmark(int width, int height, int repeats) {
   return benchmark;
 }
 
-std::string FormatTable(const SsimBenchmark& b) {
-  return fmt::format(
-      "SSIM with gradient, one thread: {:.0f} Mpixel/s ({:.0f} wanted), {:.0f} with preparing the "
-      "reference image;\n"
-      "{:.1f} times faster than the value alone with OpenCV's GaussianBlur; error {:.1e}\n",
-      b.mpixels, kSsimTargetMpixels, b.prepared_mpixels, b.opencv_ratio, b.error);
-}
-
 }  // namespace warplut

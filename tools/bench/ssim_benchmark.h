@@ -21,6 +21,4 @@ struct SsimBenchmark {
 // thread.
 SsimBenchmark RunSsimBenchmark(int width, int height, int repeats);
 
-std::string FormatTable(const SsimBenchmark& benchmark);
-
 }  // namespace warplut

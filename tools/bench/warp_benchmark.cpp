@@ -8,17 +8,15 @@
 #include <functional>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <random>
 #include <utility>
 
 #include "datasets/error.h"
-#include "luts/filters.h"
-#include "luts/wide_kernel.h"
 #include "runtime/core/pixel.h"
 #include "runtime/executor.h"
 #include "runtime/image_buffer.h"
 #include "runtime/motion_tiles.h"
 #include "runtime/prefilter.h"
+#include "tools/bench/warp_content.h"
 
 namespace warplut {
 namespace {
@@ -34,92 +32,6 @@ constexpr double kSubnormalTarget = 1 / 1.1;
 constexpr float kSubnormal = 1e-40f;
 // The prefilter takes at most 0.6 of a warp with bilinear lookup, for RGBA16F and RGBA32F.
 constexpr double kPrefilterTarget = 1 / 0.6;
-
-struct Image {
-  Image(int width, int height, PixelFormat format)
-      : bytes(static_cast<std::size_t>(width) * height * BytesPerPixel(format)),
-        view{bytes.data(), width, height, std::ptrdiff_t{width} * BytesPerPixel(format), format} {}
-  Image(const Image&) = delete;
-  Image& operator=(const Image&) = delete;
-
-  ImageView Const() const { return {view.data, view.width, view.height, view.stride, view.format}; }
-
-  std::vector<std::byte> bytes;
-  MutableImageView view;
-};
-
-struct Motion {
-  Motion(int width, int height) : xy(static_cast<std::size_t>(width) * height * 2) {
-    view = {xy.data(), width, height,
-            std::ptrdiff_t{width} * 2 * static_cast<std::ptrdiff_t>(sizeof(float))};
-  }
-  Motion(const Motion&) = delete;
-  Motion& operator=(const Motion&) = delete;
-
-  std::vector<float> xy;
-  MotionView view;
-};
-
-// Smooth waves with some noise, so that neither all texels nor all weights are alike.
-void FillImage(const Image& image) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<float> noise(-0.1f, 0.1f);
-  const float scale = ChannelScale(image.view.format);
-  for (int y = 0; y < image.view.height; ++y) {
-    for (int x = 0; x < image.view.width; ++x) {
-      for (int c = 0; c < Channels(image.view.format); ++c) {
-        const float wave = std::sin(0.07f * x + 0.05f * y + c);
-        StoreChannel(image.view.format, scale * (0.5f + 0.35f * wave + noise(random)),
-                     image.view.At(x, y), c);
-      }
-    }
-  }
-}
-
-void FillMotion(const std::string& kind, Motion& motion) {
-  for (int y = 0; y < motion.view.height; ++y) {
-    for (int x = 0; x < motion.view.width; ++x) {
-      float* m = motion.xy.data() + 2 * (static_cast<std::size_t>(y) * motion.view.width + x);
-      if (kind == "smooth") {
-        m[0] = 5.3f * std::sin(0.003f * x + 0.002f * y);
-        m[1] = 4.1f * std::cos(0.002f * x - 0.004f * y);
-      } else if (kind == "uniform") {
-        m[0] = 3.37f;
-        m[1] = -1.61f;
-      } else if (kind == "whole") {
-        m[0] = 3;
-        m[1] = -2;
-      } else {
-        m[0] = 0;
-        m[1] = 0;
-      }
-    }
-  }
-}
-
-// A table in i16 with exact row sums, of Catmull-Rom weights or a wide kernel's: the time does not
-// depend on the weights.
-std::vector<std::int16_t> MakeTable(Footprint footprint) {
-  constexpr double kKaiser = 4.5;
-  const FootprintTaps& taps = TapsOf(footprint);
-  std::vector<std::int16_t> table;
-  table.reserve(static_cast<std::size_t>(TableValues(footprint)));
-  const double one = 1 << FractionBits(TableFormat::kI16);
-  for (int row = 0; row < kRows; ++row) {
-    const double dx = NodeOffset(row % kNodes), dy = NodeOffset(row / kNodes);
-    const Weights<double> w = footprint == Footprint::k16 ? KeysWeights(kCatmullRomA, dx, dy)
-                                                          : WideWeights(footprint, kKaiser, dx, dy);
-    int rest = static_cast<int>(one);
-    std::size_t identity = 0;
-    for (const int k : taps) {
-      if (k == kIdentityWeight) identity = table.size();
-      table.push_back(static_cast<std::int16_t>(std::lround(w[k] * one)));
-      rest -= table.back();
-    }
-    table[identity] = static_cast<std::int16_t>(table[identity] + rest);
-  }
-  return table;
-}
 
 struct Difference {
   double worst = 0;
@@ -232,12 +144,12 @@ class FormatBenchmark {
         remapped_(options.width, options.height,
                   format == PixelFormat::kRgba16F ? PixelFormat::kRgba32F : format),
         source_(options.height, options.width, MatType(format), remapped_.view.data) {
-    FillImage(history_);
-    FillImage(remapped_);
+    FillWarpImage(history_);
+    FillWarpImage(remapped_);
   }
 
   // One filter, against remap.
-  void AgainstRemap(const std::string& kind, const Motion& motion, const Variant& variant,
+  void AgainstRemap(const std::string& kind, const WarpMotion& motion, const Variant& variant,
                     std::vector<WarpBenchmarkRow>& rows) {
     const cv::Mat map = RemapMap(motion);
     cv::Mat fixed, fraction;
@@ -267,7 +179,7 @@ class FormatBenchmark {
   }
 
   // The prefilter of the options, against a warp of the same image.
-  void PrefilterAgainstWarp(const std::string& kind, const Motion& motion,
+  void PrefilterAgainstWarp(const std::string& kind, const WarpMotion& motion,
                             const Variant& prefiltered, const Variant& warped,
                             std::vector<WarpBenchmarkRow>& rows) {
     const Prefilter prefilter = PrefilterOf(prefiltered.options);
@@ -283,12 +195,12 @@ class FormatBenchmark {
   }
 
   // Subnormal texels against ordinary ones, in a float format.
-  void SubnormalAgainstOrdinary(const std::string& kind, const Motion& motion,
+  void SubnormalAgainstOrdinary(const std::string& kind, const WarpMotion& motion,
                                 const std::vector<Variant>& variants,
                                 std::vector<WarpBenchmarkRow>& rows) {
     const int width = history_.view.width, height = history_.view.height;
     const PixelFormat format = history_.view.format;
-    Image subnormal(width, height, format);
+    WarpImage subnormal(width, height, format);
     for (int y = 0; y < height; ++y) {
       for (int i = 0; i < width * Channels(format); ++i) {
         const float texel = LoadChannel(format, history_.view.At(0, y), i);
@@ -297,7 +209,7 @@ class FormatBenchmark {
     }
     for (const Variant& variant : variants) {
       const Prefilter prefilter = PrefilterOf(variant.options);
-      const auto race = [&](const std::function<void(const Image&)>& call,
+      const auto race = [&](const std::function<void(const WarpImage&)>& call,
                             const ImageView& result) {
         Measure(
             {kind, variant.name + " 1e-40"}, [&] { call(subnormal); }, {result, reference_.Const()},
@@ -306,12 +218,12 @@ class FormatBenchmark {
       if (HasPrefilter(prefilter)) {
         PrefilterPass pass = Pass(prefilter);
         PrefilterPass::Reference(prefilter, subnormal.Const(), reference_.view);
-        race([&](const Image& image) { pass.Apply(image.Const(), executor_, coefficients_); },
+        race([&](const WarpImage& image) { pass.Apply(image.Const(), executor_, coefficients_); },
              coefficients_);
       } else {
         WarpReference(subnormal.Const(), motion.view, variant.options, reference_.view);
         race(
-            [&](const Image& image) {
+            [&](const WarpImage& image) {
               Warp(image.Const(), motion.view, variant.options, out_.view);
             },
             out_.Const());
@@ -321,7 +233,7 @@ class FormatBenchmark {
 
   // Motion of whole pixels, against memcpy; with the motion classified by the call, which has to
   // read it, and before.
-  void AgainstCopy(const std::string& kind, const Motion& motion,
+  void AgainstCopy(const std::string& kind, const WarpMotion& motion,
                    std::vector<WarpBenchmarkRow>& rows) {
     const WarpOptions options;
     const MotionTiles tiles(motion.view);
@@ -345,13 +257,13 @@ class FormatBenchmark {
 
  private:
   // Reads all of the motion, and does as little with it as can be.
-  static std::uint32_t BitsOf(const Motion& motion) {
+  static std::uint32_t BitsOf(const WarpMotion& motion) {
     std::uint32_t bits = 0;
     for (const float value : motion.xy) bits |= std::bit_cast<std::uint32_t>(value);
     return bits;
   }
 
-  static cv::Mat RemapMap(const Motion& motion) {
+  static cv::Mat RemapMap(const WarpMotion& motion) {
     cv::Mat map(motion.view.height, motion.view.width, CV_32FC2);
     for (int y = 0; y < map.rows; ++y) {
       for (int x = 0; x < map.cols; ++x) {
@@ -366,7 +278,7 @@ class FormatBenchmark {
     return {prefilter, history_.view.width, history_.view.height, executor_.Threads()};
   }
 
-  void MeasureWarp(const std::string& kind, const std::string& name, const Motion& motion,
+  void MeasureWarp(const std::string& kind, const std::string& name, const WarpMotion& motion,
                    const WarpOptions& options, const std::function<void()>& warp,
                    const std::vector<Competitor>& competitors,
                    std::vector<WarpBenchmarkRow>& rows) {
@@ -404,11 +316,11 @@ class FormatBenchmark {
   }
 
   int repeats_;
-  Image history_;
-  Image out_;
-  Image reference_;
+  WarpImage history_;
+  WarpImage out_;
+  WarpImage reference_;
   ImageBuffer coefficients_;
-  Image remapped_;
+  WarpImage remapped_;
   cv::Mat source_;
   cv::Mat destination_;
   SerialExecutor executor_;
@@ -434,7 +346,7 @@ WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
   cv::setNumThreads(1);
   std::vector<Table> tables;
   for (const Footprint footprint : kFootprints) {
-    const std::vector<std::int16_t> weights = MakeTable(footprint);
+    const std::vector<std::int16_t> weights = MakeWarpTable(footprint);
     tables.emplace_back(
         TableView{.format = TableFormat::kI16, .data = weights.data(), .footprint = footprint});
   }
@@ -443,11 +355,11 @@ WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
   WarpBenchmark benchmark;
   benchmark.target = WarpTarget();
   benchmark.opencv = cv::getVersionString();
-  Motion motion(options.width, options.height);
+  WarpMotion motion(options.width, options.height);
   for (const PixelFormat format : options.formats) {
     FormatBenchmark images(options, format);
     for (const std::string kind : {"smooth", "uniform"}) {
-      FillMotion(kind, motion);
+      FillWarpMotion(kind, motion);
       for (const Variant& variant : variants)
         images.AgainstRemap(kind, motion, variant, benchmark.rows);
       for (const Variant& variant : variants) {
@@ -459,36 +371,12 @@ WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
       }
     }
     for (const std::string kind : {"whole", "static"}) {
-      FillMotion(kind, motion);
+      FillWarpMotion(kind, motion);
       images.AgainstCopy(kind, motion, benchmark.rows);
     }
   }
   cv::setNumThreads(threads);
   return benchmark;
-}
-
-std::string FormatTable(const WarpBenchmark& benchmark) {
-  std::string text = "Warp on " + benchmark.target + ", OpenCV " + benchmark.opencv +
-                     ", one thread; ratio = competitor / warp\n";
-  char line[256];
-  std::snprintf(line, sizeof line, "%-8s %-8s %-16s %-19s %9s %9s %27s %7s  %s\n", "format",
-                "motion", "filter", "competitor", "warp ms", "other ms", "ratio median [min, max]",
-                "target", "against reference");
-  text += line;
-  for (const WarpBenchmarkRow& row : benchmark.rows) {
-    char target[32] = "";
-    if (row.target > 0)
-      std::snprintf(target, sizeof target, "%.1f%s", row.target, row.met() ? "" : "!");
-    char error[32] = "exact";
-    if (!row.exact) std::snprintf(error, sizeof error, "%.2g codes", row.worst_error);
-    std::snprintf(line, sizeof line,
-                  "%-8s %-8s %-16s %-19s %9.3f %9.3f %11.2f [%6.2f, %6.2f] %7s  %s\n",
-                  Name(row.format), row.motion.c_str(), row.filter.c_str(), row.competitor.c_str(),
-                  row.warp.median, row.other.median, row.ratio.median, row.ratio.min, row.ratio.max,
-                  target, error);
-    text += line;
-  }
-  return text;
 }
 
 }  // namespace warplut

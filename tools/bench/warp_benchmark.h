@@ -56,7 +56,4 @@ struct WarpBenchmark {
 // own: the competitor is the warp with bilinear lookup.
 WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options);
 
-// The rows as a table for people, one line each.
-std::string FormatTable(const WarpBenchmark& benchmark);
-
 }  // namespace warplut

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tools/judge/filter_scores.h"
-#include "tools/table_text.h"
+#include "tools/tables/table_text.h"
 
 namespace warplut {
 

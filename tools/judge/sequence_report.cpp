@@ -4,29 +4,21 @@
 
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "datasets/error.h"
+#include "tools/judge/score_columns.h"
 
 namespace warplut {
 namespace {
 
-std::string PsnrText(double psnr) {
-  return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "equal";
-}
-
-std::string TemporalText(double error) {
-  return std::isfinite(error) ? fmt::format("{:.4f}", error) : "-";
-}
-
-std::vector<std::string> ScoreCells(const FrameScore& score, double temporal) {
-  return {PsnrText(score.psnr), fmt::format("{:.4f}", score.ssim), TemporalText(temporal)};
-}
-
 using Row = std::vector<std::string>;
 
 void Append(const Row& more, Row& row) { row.insert(row.end(), more.begin(), more.end()); }
+
+Row ScoreCells(const FrameScore& score, double temporal) {
+  return RecordRow(kScoreColumns, TimedScore{score, temporal});
+}
 
 Row NamedRow(const std::string& name, const FrameScore& score, double temporal) {
   Row row = {name};
@@ -38,13 +30,15 @@ std::string SettledName(const SettledScores& settled) {
   return fmt::format("without {}", settled.left_out);
 }
 
-// A score in JSON: null where it is not finite (equal images; no pair of frames).
-nlohmann::ordered_json Finite(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+Json MeansToJson(const FrameScore& score, double temporal) {
+  return RecordJson(kScoreColumns, TimedScore{score, temporal});
 }
 
-nlohmann::ordered_json MeansToJson(const FrameScore& score, double temporal) {
-  return {{"psnr", Finite(score.psnr)}, {"ssim", score.ssim}, {"temporal_error", Finite(temporal)}};
+// The headings behind `first`.
+TextTable ScoreHeader(const std::string& first) {
+  TextTable table{.header = {first}, .rows = {}};
+  Append(RecordHeader(kScoreColumns).header, table.header);
+  return table;
 }
 
 bool ParseDouble(std::string_view text, double* value) {
@@ -55,10 +49,12 @@ bool ParseDouble(std::string_view text, double* value) {
 }  // namespace
 
 TextTable MethodTable(const SequenceReport& report) {
-  TextTable table{.header = {report.sequence, "PSNR dB", "SSIM", "temporal"}, .rows = {}};
+  TextTable table = ScoreHeader(report.sequence);
   const std::optional<SettledScores>& first = report.methods.front().settled;
   if (first) {
-    Append({SettledName(*first) + ": PSNR dB", "SSIM", "temporal"}, table.header);
+    Row settled = RecordHeader(kScoreColumns).header;
+    settled.front() = SettledName(*first) + ": " + settled.front();
+    Append(settled, table.header);
   }
   table.header.emplace_back("ms/frame");
   for (const SequenceScores& scores : report.methods) {
@@ -71,7 +67,7 @@ TextTable MethodTable(const SequenceReport& report) {
 }
 
 TextTable FrameTable(const SequenceScores& scores) {
-  TextTable table{.header = {scores.method, "PSNR dB", "SSIM", "temporal"}, .rows = {}};
+  TextTable table = ScoreHeader(scores.method);
   for (std::size_t i = 0; i < scores.frames.size(); ++i) {
     table.rows.push_back(NamedRow(scores.frames[i].name, scores.frames[i], scores.temporal[i]));
   }
@@ -111,15 +107,15 @@ SequenceReport MeanReport(const std::vector<SequenceReport>& reports) {
   return mean;
 }
 
-nlohmann::ordered_json ToJson(const SequenceReport& report) {
-  nlohmann::ordered_json methods = nlohmann::ordered_json::array();
+Json ToJson(const SequenceReport& report) {
+  Json methods = Json::array();
   for (const SequenceScores& scores : report.methods) {
-    nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+    Json frames = Json::array();
     for (std::size_t i = 0; i < scores.frames.size(); ++i) {
       frames.push_back({{"name", scores.frames[i].name}});
       frames.back().update(MeansToJson(scores.frames[i], scores.temporal[i]));
     }
-    nlohmann::ordered_json method = {{"method", scores.method}};
+    Json method = {{"method", scores.method}};
     method.update(MeansToJson(scores.mean, scores.temporal_error));
     if (const auto& settled = scores.settled) {
       method["settled"] = {{"left_out", settled->left_out}};
@@ -155,7 +151,7 @@ std::vector<std::string> MissedSequences(const SequenceTarget& target,
       if (scores.method != target.method) continue;
       if (scores.mean.psnr >= target.psnr && scores.mean.ssim >= target.ssim) continue;
       missed.push_back(fmt::format("{} on {} has {} dB and {:.4f}; wanted {:.2f} dB and {:.4f}",
-                                   scores.method, report.sequence, PsnrText(scores.mean.psnr),
+                                   scores.method, report.sequence, PsnrCell(scores.mean.psnr).text,
                                    scores.mean.ssim, target.psnr, target.ssim));
     }
   }

@@ -1,12 +1,11 @@
 // Scores of methods on sequences, as tables for people and as JSON for programs.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "tools/judge/sequence_scores.h"
-#include "tools/table_text.h"
+#include "tools/tables/record_table.h"
 
 namespace warplut {
 
@@ -28,7 +27,7 @@ TextTable FrameTable(const SequenceScores& scores);
 // least one report; all have settled scores, without as many frames, or none.
 SequenceReport MeanReport(const std::vector<SequenceReport>& reports);
 
-nlohmann::ordered_json ToJson(const SequenceReport& report);
+Json ToJson(const SequenceReport& report);
 
 // What a method must reach on every sequence.
 struct SequenceTarget {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace warplut {
 namespace {
@@ -21,19 +20,42 @@ std::string TimeText(const TimeRatio& time) {
   return fmt::format("{:.2f} [{:.2f}, {:.2f}]", time.median, time.low, time.high);
 }
 
-// What a pipeline loses is told as a change of SSIM and PSNR.
-std::vector<std::string> CostCells(const std::string& name, const PipelineCost& cost) {
-  return {name, Signed(-cost.loss, 5), Signed(-cost.psnr_loss, 2), Signed(cost.temporal_growth, 5),
-          TimeText(cost.time)};
+Json ToJson(const TimeRatio& time) {
+  return {{"median", time.median}, {"min", time.low}, {"max", time.high}};
 }
 
-const std::vector<std::string> kCostHeader = {"SSIM", "PSNR dB", "temporal", "time [min, max]"};
+// People read changes, programs losses.
+const Columns<PipelineCost> kCostColumns = {
+    {"ssim_loss", "SSIM",
+     [](const PipelineCost& cost) {
+       return Cell{.value = cost.loss, .text = Signed(-cost.loss, 5)};
+     }},
+    {"psnr_loss", "PSNR dB",
+     [](const PipelineCost& cost) {
+       return Cell{.value = FiniteJson(cost.psnr_loss), .text = Signed(-cost.psnr_loss, 2)};
+     }},
+    {"temporal_growth", "temporal",
+     [](const PipelineCost& cost) {
+       return Cell{.value = FiniteJson(cost.temporal_growth),
+                   .text = Signed(cost.temporal_growth, 5)};
+     }},
+    {"time", "time [min, max]", [](const PipelineCost& cost) {
+       return Cell{.value = ToJson(cost.time), .text = TimeText(cost.time)};
+     }}};
+
+std::vector<std::string> CostCells(const std::string& name, const PipelineCost& cost) {
+  std::vector<std::string> row = RecordRow(kCostColumns, cost);
+  row.insert(row.begin(), name);
+  return row;
+}
 
 TextTable CostTable(const std::string& first) {
-  TextTable table{.header = {first}, .rows = {}};
-  table.header.insert(table.header.end(), kCostHeader.begin(), kCostHeader.end());
+  TextTable table = RecordHeader(kCostColumns);
+  table.header.insert(table.header.begin(), first);
   return table;
 }
+
+Json ToJson(const PipelineCost& cost) { return RecordJson(kCostColumns, cost); }
 
 std::string LookupText(const SmallerTable& table) {
   return fmt::format("{} nodes, {}, {} lookup", table.nodes, Name(table.format),
@@ -93,46 +115,30 @@ std::string ParameterSentence(const ProfileReport& report) {
                      JoinedOr(ParameterNamesOf(report.result.chosen.parameters), "none"));
 }
 
-nlohmann::ordered_json Finite(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
-nlohmann::ordered_json ToJson(const TimeRatio& time) {
-  return {{"median", time.median}, {"min", time.low}, {"max", time.high}};
-}
-
-nlohmann::ordered_json ToJson(const PipelineCost& cost) {
-  return {{"ssim_loss", cost.loss},
-          {"psnr_loss", Finite(cost.psnr_loss)},
-          {"temporal_growth", Finite(cost.temporal_growth)},
-          {"time", ToJson(cost.time)}};
-}
-
-nlohmann::ordered_json ToJson(const std::vector<OmissionTrial>& trials) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json ToJson(const std::vector<OmissionTrial>& trials) {
+  Json list = Json::array();
   for (const OmissionTrial& trial : trials) {
-    nlohmann::ordered_json one = {{"name", trial.omission->name},
-                                  {"meaning", trial.omission->meaning}};
+    Json one = {{"name", trial.omission->name}, {"meaning", trial.omission->meaning}};
     one.update(ToJson(trial.cost));
     list.push_back(std::move(one));
   }
   return list;
 }
 
-nlohmann::ordered_json ToJson(const SmallerTable& table) {
-  nlohmann::ordered_json json = {{"nodes", table.nodes},
-                                 {"storage", Name(table.format)},
-                                 {"lookup", Name(table.lookup)},
-                                 {"bytes", table.bytes}};
+Json ToJson(const SmallerTable& table) {
+  Json json = {{"nodes", table.nodes},
+               {"storage", Name(table.format)},
+               {"lookup", Name(table.lookup)},
+               {"bytes", table.bytes}};
   if (table.eighth_bytes) json["eighth_bytes"] = *table.eighth_bytes;
   json["ssim_loss"] = table.cost.loss;
-  json["psnr_loss"] = Finite(table.cost.psnr_loss);
+  json["psnr_loss"] = FiniteJson(table.cost.psnr_loss);
   json["can_be_baked"] = table.CanBeBaked();
   return json;
 }
 
-nlohmann::ordered_json ToJson(const FrameTiles& tiles) {
-  nlohmann::ordered_json json = {{"tiles", tiles.total}, {"disoccluded", tiles.disoccluded}};
+Json ToJson(const FrameTiles& tiles) {
+  Json json = {{"tiles", tiles.total}, {"disoccluded", tiles.disoccluded}};
   for (int kind = 0; kind < kMotionKinds; ++kind) {
     json[Name(static_cast<MotionKind>(kind))] = tiles.warped[static_cast<MotionKind>(kind)];
   }
@@ -254,9 +260,9 @@ std::string ToText(const ProfileReport& report) {
   return text;
 }
 
-nlohmann::ordered_json ToJson(const ProfileReport& report) {
+Json ToJson(const ProfileReport& report) {
   const ProfileResult& result = report.result;
-  nlohmann::ordered_json sequences = nlohmann::ordered_json::array();
+  Json sequences = Json::array();
   for (std::size_t i = 0; i < report.sequences.size(); ++i) {
     const ProfiledSequence& sequence = report.sequences[i];
     const PipelineScore& full = result.checked_full_scores[i];
@@ -265,29 +271,28 @@ nlohmann::ordered_json ToJson(const ProfileReport& report) {
         {{"name", sequence.name},
          {"sha1", sequence.sha1},
          {"reference", sequence.has_reference},
-         {"full", {{"ssim", full.mean.ssim}, {"psnr", Finite(full.mean.psnr)}}},
-         {"chosen", {{"ssim", chosen.mean.ssim}, {"psnr", Finite(chosen.mean.psnr)}}},
+         {"full", {{"ssim", full.mean.ssim}, {"psnr", FiniteJson(full.mean.psnr)}}},
+         {"chosen", {{"ssim", chosen.mean.ssim}, {"psnr", FiniteJson(chosen.mean.psnr)}}},
          {"history_tiles", ToJson(report.tiles[i].history)},
          {"generated_tiles", ToJson(report.tiles[i].generated)}});
   }
-  nlohmann::ordered_json json = {{"mode", report.mode},
-                                 {"filter", report.filter},
-                                 {"within", report.within},
-                                 {"sequences", sequences},
-                                 {"full_milliseconds", result.checked_full_milliseconds},
-                                 {"alone", ToJson(result.alone)},
-                                 {"left_out", ToJson(result.taken)},
-                                 {"given_back", ToJson(result.given_back)},
-                                 {"chosen", ToJson(result.checked)},
-                                 {"shipped", ToJson(result.shipped)},
-                                 {"parameters", ParameterNamesOf(result.chosen.parameters)}};
-  nlohmann::ordered_json tables = nlohmann::ordered_json::array();
+  Json json = {{"mode", report.mode},
+               {"filter", report.filter},
+               {"within", report.within},
+               {"sequences", sequences},
+               {"full_milliseconds", result.checked_full_milliseconds},
+               {"alone", ToJson(result.alone)},
+               {"left_out", ToJson(result.taken)},
+               {"given_back", ToJson(result.given_back)},
+               {"chosen", ToJson(result.checked)},
+               {"shipped", ToJson(result.shipped)},
+               {"parameters", ParameterNamesOf(result.chosen.parameters)}};
+  Json tables = Json::array();
   for (const SmallerTable& table : report.tables) tables.push_back(ToJson(table));
   json["tables_in_chosen"] = report.tables_in_chosen;
   json["tables"] = tables;
-  json["table"] = report.table ? ToJson(*report.table) : nlohmann::ordered_json(nullptr);
-  json["bake"] =
-      report.bake.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(report.bake);
+  json["table"] = report.table ? ToJson(*report.table) : Json(nullptr);
+  json["bake"] = report.bake.empty() ? Json(nullptr) : Json(report.bake);
   json["time_by_tiles"] = ToJson(report.time_by_tiles);
   return json;
 }

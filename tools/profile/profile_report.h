@@ -2,7 +2,6 @@
 // PIPELINE.h.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +9,7 @@
 #include "tools/profile/profile_search.h"
 #include "tools/profile/smaller_table.h"
 #include "tools/profile/tile_shares.h"
-#include "tools/table_text.h"
+#include "tools/tables/record_table.h"
 
 namespace warplut {
 
@@ -58,7 +57,7 @@ TextTable TileTable(const ProfileReport& report);
 // The tables and what is to be said about them.
 std::string ToText(const ProfileReport& report);
 
-nlohmann::ordered_json ToJson(const ProfileReport& report);
+Json ToJson(const ProfileReport& report);
 
 // The comment of PIPELINE.h, line by line. Only the line that begins with "Measured" hangs on
 // measured times.

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "tools/judge/sequence_scores.h"
+#include "tools/pictures/sequence_pictures.h"
 #include "tools/pipeline.h"
-#include "tools/sequence_pictures.h"
 #include "train/replay/judged_frames.h"
 
 namespace warplut {

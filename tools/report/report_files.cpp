@@ -8,7 +8,7 @@
 #include "datasets/file.h"
 #include "datasets/image_io.h"
 #include "datasets/json_fields.h"
-#include "tools/report/svg_plot.h"
+#include "tools/report/page/svg_plot.h"
 
 namespace warplut {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "tools/report/page.h"
+#include "tools/report/page/page.h"
 #include "tools/report/report_section.h"
 
 namespace warplut {

@@ -5,7 +5,7 @@
 
 #include "datasets/file.h"
 #include "luts/bake/table_io.h"
-#include "tools/report/embedded.h"
+#include "tools/report/page/embedded.h"
 
 namespace warplut {
 namespace {

@@ -1,11 +1,11 @@
-// What a section of the report is made of; tools/report/page.h turns sections into one page.
+// What a section of the report is made of; tools/report/page/page.h turns sections into one page.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "datasets/image.h"
-#include "tools/table_text.h"
+#include "tools/tables/table_text.h"
 
 namespace warplut {
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "tests/stability/cases/stability_table.h"
 #include "tools/report/section_time.h"
-#include "tools/stability/stability_table.h"
 
 namespace warplut {
 namespace {

@@ -6,8 +6,8 @@
 
 namespace warplut {
 
-// Runs every case of the registry (tools/stability/stability_case.h) and tells what was required
-// and observed.
+// Runs every case of the registry (tests/stability/cases/stability_case.h) and tells what was
+// required and observed.
 ReportSection StabilitySection(const ReportInputs& inputs);
 
 }  // namespace warplut

@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include "datasets/error.h"
-#include "tools/report/budget_generation.h"
-#include "tools/report/budget_motion.h"
-#include "tools/report/budget_super_resolution.h"
+#include "tools/report/budget/budget_generation.h"
+#include "tools/report/budget/budget_motion.h"
+#include "tools/report/budget/budget_super_resolution.h"
 #include "train/fit/noise_image.h"
 #include "train/replay/image_views.h"
 

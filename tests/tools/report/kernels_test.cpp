@@ -5,9 +5,9 @@
 
 #include "datasets/file.h"
 #include "tests/datasets/temporary_folder.h"
-#include "tools/report/kernel_scores.h"
+#include "tools/report/kernels/kernel_scores.h"
+#include "tools/report/kernels/resampling_kernels.h"
 #include "tools/report/report_lut.h"
-#include "tools/report/resampling_kernels.h"
 
 namespace warplut {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "tools/report/label_placement.h"
+#include "tools/report/page/label_placement.h"
+#include "tools/report/page/plot_axis.h"
 #include "tools/report/pareto.h"
-#include "tools/report/plot_axis.h"
 #include "tools/report/power_law.h"
 
 namespace warplut {

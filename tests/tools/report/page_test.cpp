@@ -1,5 +1,5 @@
 // The page of a report: escaping, well-formedness, nothing from elsewhere; and the plots in it.
-#include "tools/report/page.h"
+#include "tools/report/page/page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,9 +14,9 @@
 #include "datasets/error.h"
 #include "datasets/file.h"
 #include "tests/datasets/temporary_folder.h"
-#include "tools/report/html.h"
+#include "tools/report/page/html.h"
+#include "tools/report/page/svg_plot.h"
 #include "tools/report/report_files.h"
-#include "tools/report/svg_plot.h"
 
 namespace warplut {
 namespace {

@@ -7,8 +7,8 @@
 #include "datasets/error.h"
 #include "luts/filters.h"
 #include "tools/report/quartiles.h"
-#include "tools/report/trainer_half_pixel.h"
-#include "tools/report/trainer_profile.h"
+#include "tools/report/trainer/trainer_half_pixel.h"
+#include "tools/report/trainer/trainer_profile.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/noise_image.h"
 

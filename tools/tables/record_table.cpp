@@ -1,0 +1,24 @@
+#include "tools/tables/record_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace warplut {
+
+Cell TextCell(std::string text) { return {.value = text, .text = std::move(text)}; }
+
+Cell NumberCell(double value, int digits) {
+  return {.value = FiniteJson(value),
+          .text = std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-"};
+}
+
+Cell PsnrCell(double psnr) {
+  return {.value = FiniteJson(psnr),
+          .text = std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "equal"};
+}
+
+Json FiniteJson(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+}  // namespace warplut
