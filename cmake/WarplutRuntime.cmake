@@ -29,6 +29,16 @@ function(warplut_runtime_library name)
     reference_geometry.cpp
     super_resolution.cpp)
   list(TRANSFORM sr PREPEND ${WARPLUT_ROOT}/runtime/sr/)
+  set(peers
+    bidirectional.cpp
+    bidirectional_reference.cpp
+    mesh_warp.cpp
+    mesh_warp_reference.cpp
+    fsr2.cpp
+    fsr2_reference.cpp
+    sgsr2.cpp
+    taau.cpp)
+  list(TRANSFORM peers PREPEND ${WARPLUT_ROOT}/runtime/peers/)
   set(shared
     motion/camera_motion.cpp
     core/executor.cpp
@@ -46,7 +56,7 @@ function(warplut_runtime_library name)
     warp/warp_reference.cpp)
   list(TRANSFORM shared PREPEND ${WARPLUT_ROOT}/runtime/)
 
-  warplut_library(${name} ${shared} ${generation} ${sr})
+  warplut_library(${name} ${shared} ${generation} ${sr} ${peers})
   target_link_libraries(${name} PUBLIC warplut_contract $<BUILD_INTERFACE:warplut_runtime_headers> Threads::Threads
                         PRIVATE hwy::hwy)
   if(arg_PIPELINE)
@@ -61,7 +71,7 @@ function(warplut_runtime_library name)
     target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
     # The plain and the fast version of a pass give the same bits, and so do compilers: none may fuse
     # multiply and add where the source does not.
-    set_source_files_properties(${generation} ${sr} TARGET_DIRECTORY ${name}
+    set_source_files_properties(${generation} ${sr} ${peers} TARGET_DIRECTORY ${name}
                                 PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
   endif()
 endfunction()

@@ -36,6 +36,7 @@
 #include "runtime/image_view.h"
 #include "runtime/motion_filter.h"
 #include "runtime/parameters.h"
+#include "runtime/peers.h"
 #include "runtime/pipeline.h"
 #include "runtime/warp.h"
 
@@ -75,6 +76,8 @@ struct FrameGenerationOptions {
   // Removes quantisation from the motion (runtime/motion_filter.h).
   bool motion_filter = kPipeline.generation.motion_filter.value_or(false);
   float motion_filter_limit = kGenerationMotionFilterLimit;  // MotionFilterOptions::limit
+  // Null, or another system (runtime/peers.h), whose motion of the generated frame is taken.
+  const GenerationPeer* peer = nullptr;
   WarpOptions warp;
   ColorEncoding encoding = kPipeline.generation.encoding.value_or(ColorEncoding::kDisplay);
   Parameters parameters;

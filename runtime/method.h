@@ -26,6 +26,10 @@ struct MethodInfo {
   bool super_resolution;  // its output is on the output grid, from colour on the render grid
   Generation generation;
   Generator generator;
+  // Motion and depth are not those of the renderer: who runs the method finds motion in the colours
+  // of the frames (train/replay/optical_flow.h), and depth is 0.
+  bool optical_flow;
+  bool peer;   // another system: its options name a peer (runtime/peers.h)
   bool paper;  // runs with kPaperParameters, whatever was calibrated
   // Sets the choices of the method; leaves sizes, filter, formats and parameters alone. Null where
   // it does not apply.
@@ -35,7 +39,8 @@ struct MethodInfo {
   std::span<const int> parameters;
 };
 
-// Modes (sr, i, e, isr, esr), the paper's own form of each, and the baselines.
+// Modes (sr, i, e, isr, esr), the paper's own form of each, other systems (runtime/peers.h) and the
+// baselines.
 std::span<const MethodInfo> Methods();
 
 // The method of that name, or null.

@@ -16,6 +16,15 @@ struct Parameters {
   float blend_a = 0.85f;                    // a
   float blend_b = 0.9f;                     // b
   float clamp_gamma = 2.25f;                // half width of the colour box of super resolution
+  // Of the peers (docs/METHODS.md), as published.
+  float taau_blend = 0.1f;
+  float taau_gamma = 1.0f;
+  float sgsr2_weight = 1.0f / 3;
+  float sgsr2_box = 20.0f;
+  float fsr2_weight = 1.0f / 12;
+  float fsr2_box = 20.0f;
+  float fsr2_lock_ratio = 1.05f;
+  float bidir_tolerance = 0.5f;
 
   bool operator==(const Parameters&) const = default;
 
@@ -32,7 +41,7 @@ struct ParameterInfo {
   const char* meaning;
 };
 
-inline constexpr std::array<ParameterInfo, 6> kParameters = {{
+inline constexpr std::array<ParameterInfo, 14> kParameters = {{
     {"sr_depth_threshold", &Parameters::sr_depth_threshold, 1e-4f, 4.0f, true,
      "history is rejected where depth differs by more, super resolution"},
     {"generation_depth_threshold", &Parameters::generation_depth_threshold, 1e-4f, 4.0f, true,
@@ -45,6 +54,22 @@ inline constexpr std::array<ParameterInfo, 6> kParameters = {{
      "how fast the share falls with the distance in render pixels, super resolution"},
     {"clamp_gamma", &Parameters::clamp_gamma, 0.25f, 16.0f, true,
      "half width of the variance box in standard deviations, super resolution"},
+    {"taau_blend", &Parameters::taau_blend, 0.01f, 1.0f, true,
+     "share of a sample that lies on the pixel centre, taau"},
+    {"taau_gamma", &Parameters::taau_gamma, 0.25f, 16.0f, true,
+     "half width of the variance box in standard deviations, taau"},
+    {"sgsr2_weight", &Parameters::sgsr2_weight, 0.01f, 4.0f, true,
+     "weight of the samples against that of the history, sgsr2"},
+    {"sgsr2_box", &Parameters::sgsr2_box, 1.0f, 32.0f, true,
+     "half width of the box where nothing moves, in standard deviations, sgsr2"},
+    {"fsr2_weight", &Parameters::fsr2_weight, 0.01f, 4.0f, true,
+     "weight of the samples against that of the history, fsr2"},
+    {"fsr2_box", &Parameters::fsr2_box, 1.0f, 32.0f, true,
+     "half width of the box where nothing moves, in standard deviations, fsr2"},
+    {"fsr2_lock_ratio", &Parameters::fsr2_lock_ratio, 1.005f, 2.0f, true,
+     "ratio of lumas up to which neighbours are alike, for the locks of fsr2"},
+    {"bidir_tolerance", &Parameters::bidir_tolerance, 0.0625f, 8.0f, true,
+     "pixels by which a source may miss the generated pixel, bidir"},
 }};
 
 // The index in kParameters of that name, or -1.

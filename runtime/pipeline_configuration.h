@@ -66,6 +66,7 @@ struct PipelineConfiguration {
   bool interpolation = true;     // FrameGeneration::Interpolate
   bool extrapolation = true;     // FrameGeneration::Extrapolate
   bool reference = true;         // the plain version of every pass (options.reference)
+  bool peers = true;             // other systems (runtime/peers.h)
 
   // WarpOptions::filter and ::lookup of every warp.
   std::optional<Filter> filter = {};
@@ -96,10 +97,10 @@ constexpr std::uint64_t Added(std::uint64_t digest, const T&... members) {
 class PipelineDigest {
  public:
   constexpr explicit PipelineDigest(const PipelineConfiguration& whole) {
-    const auto& [super_resolution, interpolation, extrapolation, reference, filter, lookup, sr,
-                 generation] = whole;
+    const auto& [super_resolution, interpolation, extrapolation, reference, peers, filter, lookup,
+                 sr, generation] = whole;
     value_ = pipeline_digest::Added(value_, super_resolution, interpolation, extrapolation,
-                                    reference, filter, lookup);
+                                    reference, peers, filter, lookup);
     AddMembers(sr);
     AddMembers(generation);
   }

@@ -48,6 +48,7 @@
 #include "runtime/gates.h"
 #include "runtime/image_view.h"
 #include "runtime/parameters.h"
+#include "runtime/peers.h"
 #include "runtime/pipeline.h"
 #include "runtime/warp.h"
 
@@ -83,6 +84,8 @@ struct SuperResolutionOptions {
   bool motion_filter = kPipeline.sr.motion_filter.value_or(false);
   CurrentFrame current = kPipeline.sr.current.value_or(CurrentFrame::kBilinear);
   WarpOptions warp;  // the filter of the history
+  // Null, or another system (runtime/peers.h), whose limit, update and filter are taken instead.
+  const SrPeer* peer = nullptr;
   // RGBA8, RGBA16F or RGBA32F.
   PixelFormat history_format = kPipeline.sr.history_format.value_or(PixelFormat::kRgba16F);
   ColorEncoding encoding = kPipeline.sr.encoding.value_or(ColorEncoding::kDisplay);

@@ -45,6 +45,10 @@ const MethodInfo& ProfiledMethod(const ProfileArguments& arguments) {
       fmt::format("the mode {} is a baseline, which has no pass to leave out; expected one "
                   "that is calibrated, as sr or i",
                   arguments.mode));
+  RequireUsage(!method.peer,
+               fmt::format("the mode {} is another system, whose passes cannot be left out; "
+                           "expected one of this project, as sr or i",
+                           arguments.mode));
   return method;
 }
 

@@ -17,7 +17,7 @@ constexpr const char* kCpu = "cpu";
 constexpr const char* kVulkan = "vulkan";
 
 bool RunsOnGpu(const MethodInfo& method) {
-  return method.super_resolution && method.generation == Generation::kNone;
+  return method.super_resolution && method.generation == Generation::kNone && !method.peer;
 }
 
 #ifdef WARPLUT_HAS_GPU

@@ -23,6 +23,14 @@ constexpr int kBrightness = IndexOf("brightness_threshold");
 constexpr int kBlendA = IndexOf("blend_a");
 constexpr int kBlendB = IndexOf("blend_b");
 constexpr int kGamma = IndexOf("clamp_gamma");
+constexpr int kTaauBlend = IndexOf("taau_blend");
+constexpr int kTaauGamma = IndexOf("taau_gamma");
+constexpr int kSgsr2Weight = IndexOf("sgsr2_weight");
+constexpr int kSgsr2Box = IndexOf("sgsr2_box");
+constexpr int kFsr2Weight = IndexOf("fsr2_weight");
+constexpr int kFsr2Box = IndexOf("fsr2_box");
+constexpr int kFsr2LockRatio = IndexOf("fsr2_lock_ratio");
+constexpr int kBidirTolerance = IndexOf("bidir_tolerance");
 
 // Takes what a method decides from the defaults; the rest belongs to the caller.
 template <class List, class Options>
@@ -34,7 +42,10 @@ constexpr void TakeDefaults(const List& list, Options& options) {
   });
 }
 
-constexpr void ConfigureSr(SuperResolutionOptions& options) { TakeDefaults(kSrChoices, options); }
+constexpr void ConfigureSr(SuperResolutionOptions& options) {
+  TakeDefaults(kSrChoices, options);
+  options.peer = nullptr;
+}
 
 constexpr void ConfigureSrSample(SuperResolutionOptions& options) {
   ConfigureSr(options);
@@ -47,6 +58,7 @@ constexpr void ConfigureSrResidual(SuperResolutionOptions& options) {
 }
 
 constexpr void ConfigureSrPaper(SuperResolutionOptions& options) {
+  options.peer = nullptr;
   options.form = HistoryForm::kSample;
   options.history = true;
   options.clamp = ColorClamp::kBox;
@@ -54,6 +66,31 @@ constexpr void ConfigureSrPaper(SuperResolutionOptions& options) {
   options.motion = MotionUpsampling::kDilated;
   options.motion_filter = false;
   options.current = CurrentFrame::kBilinear;
+}
+
+// What the peers take of super resolution: its planes, its dilated motion and the warp.
+constexpr void ConfigurePeer(SuperResolutionOptions& options) {
+  ConfigureSr(options);
+  options.form = HistoryForm::kSample;
+  options.clamp = ColorClamp::kNone;
+  options.depth = DepthMeasure::kNone;
+  options.motion = MotionUpsampling::kDilated;
+}
+
+constexpr void ConfigureTaau(SuperResolutionOptions& options) {
+  ConfigurePeer(options);
+  options.peer = &kTaau;
+}
+
+constexpr void ConfigureSgsr2(SuperResolutionOptions& options) {
+  ConfigurePeer(options);
+  options.depth = DepthMeasure::kRelative;
+  options.peer = &kSgsr2;
+}
+
+constexpr void ConfigureFsr2(SuperResolutionOptions& options) {
+  ConfigureSgsr2(options);
+  options.peer = &kFsr2;
 }
 
 constexpr void ConfigureBicubic(SuperResolutionOptions& options) {
@@ -70,9 +107,44 @@ constexpr void ConfigureBilinear(SuperResolutionOptions& options) {
 
 constexpr void ConfigureGeneration(FrameGenerationOptions& options) {
   TakeDefaults(kGenerationChoices, options);
+  options.peer = nullptr;
+}
+
+// The mesh moves as its camera and objects do, uniformly; where it tears the background goes on.
+constexpr void ConfigureMeshWarp(FrameGenerationOptions& options) {
+  ConfigureGeneration(options);
+  options.peer = &kMeshWarp;
+  options.motion_model = MotionModel::kLinear;
+  options.refine = false;
+  options.fill = DisocclusionFill::kBackground;
+}
+
+// Found in the source frames, without splatting. kQuadratic: the motion of both frames is read.
+constexpr void ConfigureBidirectional(FrameGenerationOptions& options) {
+  ConfigureGeneration(options);
+  options.peer = &kBidirectional;
+  options.motion_model = MotionModel::kQuadratic;
+  options.splat = false;
+  options.refine = false;
+}
+
+// Without depth; the motion is that of the colours.
+constexpr void ConfigureFlow(FrameGenerationOptions& options) {
+  ConfigureGeneration(options);
+  options.motion_model = MotionModel::kLinear;
+  options.refine = false;
+  options.fill = DisocclusionFill::kBackground;
+  options.depth = DepthMeasure::kNone;
+}
+
+// The same, stretched over what it uncovers.
+constexpr void ConfigureRubberSheet(FrameGenerationOptions& options) {
+  ConfigureMeshWarp(options);
+  options.fill = DisocclusionFill::kNone;
 }
 
 constexpr void ConfigureGenerationPaper(FrameGenerationOptions& options) {
+  options.peer = nullptr;
   options.motion_model = MotionModel::kQuadratic;
   options.splat = true;
   options.refine = true;
@@ -80,6 +152,12 @@ constexpr void ConfigureGenerationPaper(FrameGenerationOptions& options) {
   options.depth = DepthMeasure::kAbsolute;
   options.brightness_gate = true;
   options.motion_filter = false;
+}
+
+// Its supplement's rival: uniform motion.
+constexpr void ConfigureGenerationPaperUniform(FrameGenerationOptions& options) {
+  ConfigureGenerationPaper(options);
+  options.motion_model = MotionModel::kLinear;
 }
 
 using SrConfigure = void (*)(SuperResolutionOptions&);
@@ -92,6 +170,18 @@ struct ParameterList {
   constexpr void Add(int index) { indices[size++] = index; }
 };
 
+constexpr int kReadByTaau[] = {kTaauBlend, kTaauGamma};
+constexpr int kReadBySgsr2[] = {kSgsr2Weight, kSgsr2Box};
+constexpr int kReadByFsr2[] = {kFsr2Weight, kFsr2Box, kFsr2LockRatio};
+
+// By what configures it: addresses of objects that are defined elsewhere are no constants.
+constexpr std::span<const int> ReadByPeer(SrConfigure configure) {
+  if (configure == ConfigureTaau) return kReadByTaau;
+  if (configure == ConfigureSgsr2) return kReadBySgsr2;
+  if (configure == ConfigureFsr2) return kReadByFsr2;
+  return {};
+}
+
 // What the passes of configured options read; either function may be null.
 constexpr ParameterList Reads(SrConfigure configure_sr, GenerationConfigure configure_generation,
                               Generation generation) {
@@ -99,8 +189,9 @@ constexpr ParameterList Reads(SrConfigure configure_sr, GenerationConfigure conf
   if (configure_sr != nullptr) {
     SuperResolutionOptions options;
     configure_sr(options);
-    if (options.history) {
-      if (options.depth != DepthMeasure::kNone) list.Add(kSrDepth);
+    if (options.history && options.depth != DepthMeasure::kNone) list.Add(kSrDepth);
+    for (const int parameter : ReadByPeer(configure_sr)) list.Add(parameter);
+    if (options.history && options.peer == nullptr) {
       list.Add(kBlendA);
       list.Add(kBlendB);
       if (options.clamp == ColorClamp::kVariance) list.Add(kGamma);
@@ -110,9 +201,18 @@ constexpr ParameterList Reads(SrConfigure configure_sr, GenerationConfigure conf
     FrameGenerationOptions options;
     configure_generation(options);
     if (options.depth != DepthMeasure::kNone) list.Add(kGenerationDepth);
+    if (configure_generation == ConfigureBidirectional) list.Add(kBidirTolerance);
     if (generation == Generation::kInterpolation && options.brightness_gate) list.Add(kBrightness);
   }
   return list;
+}
+
+constexpr bool NamesPeer(SrConfigure configure_sr, GenerationConfigure configure_generation) {
+  SuperResolutionOptions sr;
+  if (configure_sr != nullptr) configure_sr(sr);
+  FrameGenerationOptions generation;
+  if (configure_generation != nullptr) configure_generation(generation);
+  return sr.peer != nullptr || generation.peer != nullptr;
 }
 
 template <SrConfigure kSr, GenerationConfigure kFrames, Generation kGeneration>
@@ -127,6 +227,8 @@ constexpr MethodInfo Method(const char* name, const char* meaning, bool paper = 
           .super_resolution = kSr != nullptr,
           .generation = kGeneration,
           .generator = generator,
+          .optical_flow = kFrames == ConfigureFlow,
+          .peer = NamesPeer(kSr, kFrames),
           .paper = paper,
           .configure_super_resolution = kSr,
           .configure_generation = kFrames,
@@ -150,12 +252,27 @@ constexpr MethodInfo kMethods[] = {
                                                               true),
     Method<nullptr, ConfigureGenerationPaper, kExtrapolation>("e-paper", "e as the paper has it",
                                                               true),
+    Method<nullptr, ConfigureGenerationPaperUniform, kInterpolation>(
+        "i-paper-uniform", "i-paper with uniform motion", true),
+    Method<nullptr, ConfigureGenerationPaperUniform, kExtrapolation>(
+        "e-paper-uniform", "e-paper with uniform motion", true),
     Method<ConfigureSrPaper, ConfigureGenerationPaper, kInterpolation>(
         "isr-paper", "sr-paper, then i-paper", true),
     Method<ConfigureSrPaper, ConfigureGenerationPaper, kExtrapolation>(
         "esr-paper", "sr-paper, then e-paper", true),
+    Method<ConfigureTaau, nullptr, kNone>("taau", "temporal upsampling, a variance box"),
+    Method<ConfigureSgsr2, nullptr, kNone>("sgsr2", "two passes, a bilinear history"),
+    Method<ConfigureFsr2, nullptr, kNone>("fsr2", "Lanczos samples, a limited history, locks"),
     Method<ConfigureBilinear, nullptr, kNone>("bilinear", "each frame from itself alone, bilinear"),
     Method<ConfigureBicubic, nullptr, kNone>("bicubic", "each frame from itself alone, bicubic"),
+    Method<nullptr, ConfigureMeshWarp, kInterpolation>("3dwarp", "a mesh of pixels, moved"),
+    Method<nullptr, ConfigureMeshWarp, kExtrapolation>(
+        "3dwarp-e", "3dwarp, after the later frame; background fills what it uncovers"),
+    Method<nullptr, ConfigureRubberSheet, kExtrapolation>(
+        "3dwarp-e-sheet", "3dwarp-e, the mesh stretched over what it uncovers"),
+    Method<nullptr, ConfigureBidirectional, kInterpolation>(
+        "bidir", "sources found by iteration in both frames"),
+    Method<nullptr, ConfigureFlow, kInterpolation>("flow", "i by the optical flow of the colours"),
     Method<nullptr, nullptr, kInterpolation>("repeat", "the rendered frame before, again", false,
                                              Generator::kRepeat),
     Method<nullptr, nullptr, kInterpolation>("average", "a blend of the rendered frames around",

@@ -15,6 +15,7 @@ bool AreContained(const FrameGenerationOptions& o, std::string* why) {
   return CheckPart("frame generation", kContainsGeneration, why) &&
          CheckPart("the reference versions of the passes", kPipeline.reference || !o.reference,
                    why) &&
+         CheckPart("the peers of frame generation", kPipeline.peers || o.peer == nullptr, why) &&
          CheckChoices(kGenerationChoices, kPipeline.generation, o, why);
 }
 

@@ -13,6 +13,7 @@
 #include "runtime/generation/hdr_rows.h"
 #include "runtime/generation/row_kernels.h"
 #include "runtime/motion_filter.h"
+#include "runtime/peers/generation_peer.h"
 #include "runtime/warp/warp_kernels.h"
 
 namespace warplut {
@@ -23,11 +24,20 @@ namespace {
 
 constexpr int kSplatRows = 2 * kBandRows;  // of the generated frame that are splatted to together
 
-RowKernels KernelsOf(const FrameGenerationOptions& options) {
+RowKernels OwnKernelsOf(const FrameGenerationOptions& options) {
   if constexpr (kPipeline.reference) {
     if (options.reference) return ReferenceRowKernels();
   }
   return FastRowKernels();
+}
+
+RowKernels KernelsOf(const FrameGenerationOptions& options) {
+  const RowKernels own = OwnKernelsOf(options);
+  if constexpr (kPipeline.peers) {
+    if (options.peer == nullptr) return own;
+    return IsReference(options) ? options.peer->reference(own) : options.peer->fast(own);
+  }
+  return own;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "runtime/configuration/chosen.h"
 #include "runtime/configuration/pipeline_check.h"
 #include "runtime/core/image_check.h"
+#include "runtime/peers/sr_peer.h"
 
 namespace warplut {
 namespace {
@@ -14,6 +15,9 @@ bool AreContained(const SuperResolutionOptions& o, std::string* why) {
   return CheckPart("super resolution", kPipeline.super_resolution, why) &&
          CheckPart("the reference versions of the passes", kPipeline.reference || !o.reference,
                    why) &&
+         CheckPart("the peers of super resolution", kPipeline.peers || o.peer == nullptr, why) &&
+         (o.peer == nullptr ||
+          CheckChoice("The filter of the peer", kPipeline.filter, o.peer->filter, why)) &&
          CheckChoices(kSrChoices, kPipeline.sr, o, why);
 }
 
@@ -42,6 +46,10 @@ bool SuperResolutionOptions::IsValid(std::string* why) const {
                   why);
   }
   if (!AreContained(*this, why)) return false;
+  if (peer != nullptr && (!WarpsHistory(*this) || HasResidual(*this))) {
+    return Refuse({"The peer has no history that is warped, in the sample form; it needs one."},
+                  why);
+  }
   const char* reason = nullptr;
   if (WarpsHistory(*this) && !warp.IsValid(&reason)) {
     return Refuse({"The filter: ", reason, "."}, why);

@@ -6,18 +6,46 @@
 #include "runtime/configuration/chosen.h"
 #include "runtime/float_environment.h"
 #include "runtime/motion_filter.h"
+#include "runtime/peers/sr_peer.h"
 #include "runtime/prefilter.h"
 #include "runtime/sr/frame_check.h"
 #include "runtime/sr/passes.h"
+#include "runtime/warp/warp_kernels.h"
 
 namespace warplut {
 namespace {
 
-const SrPasses& PassesOf(const SuperResolutionOptions& options) {
+const SrPasses& OwnPassesOf(const SuperResolutionOptions& options) {
   if constexpr (kPipeline.reference) {
     if (options.reference) return ReferencePasses();
   }
   return FastPasses();
+}
+
+// Null passes without a peer.
+SrPeerPasses PeerPassesOf(const SuperResolutionOptions& options) {
+  if constexpr (kPipeline.peers) {
+    const SrPeer* peer = options.peer;
+    if (peer != nullptr) return IsReference(options) ? peer->reference() : peer->fast();
+  }
+  return {};
+}
+
+SrPasses PassesOf(const SuperResolutionOptions& options) {
+  SrPasses passes = OwnPassesOf(options);
+  const SrPeerPasses peer = PeerPassesOf(options);
+  if (peer.update != nullptr) passes.update = peer.update;
+  return passes;
+}
+
+bool KeepsState(const SuperResolutionOptions& options) {
+  return kPipeline.peers && options.peer != nullptr && options.peer->keeps_state;
+}
+
+// With the filter of the peer, if there is one.
+SuperResolutionOptions EffectiveOptions(SuperResolutionOptions options) {
+  if (kPipeline.peers && options.peer != nullptr) options.warp = {.filter = options.peer->filter};
+  return options;
 }
 
 }  // namespace
@@ -51,11 +79,13 @@ struct WARPLUT_HIDDEN SuperResolution::State {
   MotionView Filtered(const RenderedFrame& frame);
   void PrefilterHistory();
   void Predict(const SrJob& job);
+  void PredictPeer(const SrJob& job, const Band& rows, SrScratch& worker);
   void Process(const RenderedFrame& frame, const MutableImageView& out);
 
   SuperResolutionOptions options;
   Executor& executor;
-  const SrPasses& passes;
+  const SrPasses passes;
+  const SrPeerPasses peer_passes;
   AxisMap x, y;
   RenderPlanes planes;
   Plane nearest_before, farthest_before;  // with a depth gate
@@ -65,6 +95,7 @@ struct WARPLUT_HIDDEN SuperResolution::State {
   std::unique_ptr<PrefilterPass> prefilter;
   ImageBuffer coefficients;  // of the history, with a prefilter
   ImageBuffer next;
+  ImageBuffer state, next_state;  // of a peer that keeps one
   std::unique_ptr<MotionFilter> filter;
   MotionBuffer filtered;
   std::vector<SrScratch> scratch;
@@ -77,9 +108,10 @@ struct WARPLUT_HIDDEN SuperResolution::State {
 };
 
 inline SuperResolution::State::State(const SuperResolutionOptions& chosen, Executor& runner)
-    : options(chosen),
+    : options(EffectiveOptions(chosen)),
       executor(runner),
-      passes(PassesOf(chosen)),
+      passes(PassesOf(options)),
+      peer_passes(PeerPassesOf(options)),
       x(options.render_width, options.output_width),
       y(options.render_height, options.output_height),
       planes(options.render_width, options.render_height, ReadsMotion(options)),
@@ -105,6 +137,11 @@ inline SuperResolution::State::State(const SuperResolutionOptions& chosen, Execu
     coefficients = ImageBuffer(options.output_width, options.output_height,
                                CoefficientFormat(HistoryFormatOf(options)));
   }
+  if (KeepsState(options)) {
+    for (ImageBuffer* image : {&state, &next_state}) {
+      *image = ImageBuffer(options.output_width, options.output_height, PixelFormat::kRgba32F);
+    }
+  }
   if (FiltersMotion(options)) {
     filter = std::make_unique<MotionFilter>(options.render_width, options.render_height,
                                             MotionFilterOptions{});
@@ -125,6 +162,7 @@ inline SrJob SuperResolution::State::Job() const {
           has_history,
           history.view(),
           coefficients.view(),
+          {},
           {},
           residual,
           &aliasing};
@@ -155,12 +193,31 @@ inline void SuperResolution::State::Predict(const SrJob& job) {
   ForBands(options.output_height, [&](int begin, int end, SrScratch& worker) {
     std::fill(worker.disoccluded.begin(), worker.disoccluded.end(), std::uint8_t{0});
     passes.predict(job, begin, end, worker);
+    if constexpr (kPipeline.peers) PredictPeer(job, {begin, end}, worker);
     for (const std::uint8_t tile : worker.disoccluded) worker.tiles.disoccluded += tile;
     if (job.HasHistory() && !WarpsHistory(options)) {
       worker.tiles.warped.tiles[static_cast<int>(MotionKind::kStatic)] +=
           static_cast<std::int64_t>(worker.disoccluded.size());
     }
   });
+}
+
+// What a peer does to a band that was predicted: its state moves with the history.
+inline void SuperResolution::State::PredictPeer(const SrJob& job, const Band& rows,
+                                                SrScratch& worker) {
+  if (!job.HasHistory()) return;
+  if (KeepsState(options)) {
+    const ImageView before = std::as_const(state).view();
+    const MotionView motion = rows.Motion(worker.motion);
+    const WarpOptions bilinear = {.filter = Filter::kBilinear};
+    if (IsReference(options)) {
+      WarpReferencePixels(WarpJob(before, motion, bilinear, job.next_state),
+                          {0, rows.first, options.output_width, rows.last});
+    } else {
+      WarpRows(before, motion, bilinear, rows.first, rows.last, job.next_state);
+    }
+  }
+  if (peer_passes.limit != nullptr) peer_passes.limit(job, rows.first, rows.last, worker);
 }
 
 inline void SuperResolution::State::Process(const RenderedFrame& frame,
@@ -178,6 +235,7 @@ inline void SuperResolution::State::Process(const RenderedFrame& frame,
   });
   SrJob job = Job();
   job.next = next.view();
+  job.next_state = next_state.view();
   PrefilterHistory();
   Predict(job);
   if (HasResidual(options)) {
@@ -195,6 +253,7 @@ inline void SuperResolution::State::Process(const RenderedFrame& frame,
     });
   }
   if (WarpsHistory(options)) std::swap(history, next);
+  std::swap(state, next_state);
   jitter_x_before = frame.jitter_x;
   jitter_y_before = frame.jitter_y;
   has_history = true;
@@ -260,7 +319,8 @@ std::size_t SuperResolution::MemoryBytes() const {
   std::size_t bytes = s.x.bytes() + s.y.bytes() + s.planes.bytes() + s.nearest_before.bytes() +
                       s.farthest_before.bytes() + 3 * s.residual[0].bytes() + s.aliasing.bytes() +
                       s.history.bytes() + s.coefficients.bytes() + s.next.bytes() +
-                      s.filtered.bytes() + s.geometry_depth.bytes() + s.geometry_motion.bytes();
+                      s.state.bytes() + s.next_state.bytes() + s.filtered.bytes() +
+                      s.geometry_depth.bytes() + s.geometry_motion.bytes();
   if (s.filter) bytes += s.filter->MemoryBytes();
   if (s.prefilter) bytes += s.prefilter->bytes();
   for (const SrScratch& scratch : s.scratch) bytes += scratch.bytes();

@@ -135,6 +135,29 @@ TEST(Method, ForgetsTheChoicesOfAnother) {
   }
 }
 
+TEST(Method, OnlyPeersNameAPeer) {
+  for (const char* peer : {"taau", "sgsr2", "fsr2", "3dwarp", "3dwarp-e", "bidir"}) {
+    EXPECT_TRUE(FindMethod(peer)->peer) << peer;
+  }
+  for (const char* own : {"sr", "i", "e", "isr-paper", "bicubic", "flow", "average"}) {
+    EXPECT_FALSE(FindMethod(own)->peer) << own;
+  }
+  for (const MethodInfo& method : Methods()) {
+    if (method.configure_generation != nullptr) {
+      FrameGenerationOptions options;
+      options.peer = &kMeshWarp;
+      method.configure_generation(options);
+      EXPECT_EQ(options.peer != nullptr, method.peer) << method.name;
+    }
+    if (!method.super_resolution) continue;
+    SuperResolutionOptions options = Sized();
+    FindMethod("taau")->configure_super_resolution(options);
+    EXPECT_EQ(options.peer, &kTaau);
+    method.configure_super_resolution(options);
+    EXPECT_EQ(options.peer != nullptr, method.peer) << method.name;
+  }
+}
+
 TEST(Method, NamesTheParametersThatItsPassesRead) {
   for (const MethodInfo& method : Methods()) {
     std::set<int> indices(method.parameters.begin(), method.parameters.end());
@@ -142,13 +165,15 @@ TEST(Method, NamesTheParametersThatItsPassesRead) {
     SuperResolutionOptions sr = Sized();
     sr.history = false;
     if (method.super_resolution) method.configure_super_resolution(sr);
-    EXPECT_EQ(Reads(method, &Parameters::blend_a), sr.history) << method.name;
-    EXPECT_EQ(Reads(method, &Parameters::blend_b), sr.history) << method.name;
+    const bool own = sr.history && sr.peer == nullptr;
+    EXPECT_EQ(Reads(method, &Parameters::blend_a), own) << method.name;
+    EXPECT_EQ(Reads(method, &Parameters::blend_b), own) << method.name;
+    EXPECT_EQ(Reads(method, &Parameters::taau_blend), sr.peer == &kTaau) << method.name;
+    EXPECT_EQ(Reads(method, &Parameters::taau_gamma), sr.peer == &kTaau) << method.name;
     EXPECT_EQ(Reads(method, &Parameters::sr_depth_threshold),
               sr.history && sr.depth != DepthMeasure::kNone)
         << method.name;
-    EXPECT_EQ(Reads(method, &Parameters::clamp_gamma),
-              sr.history && sr.clamp == ColorClamp::kVariance)
+    EXPECT_EQ(Reads(method, &Parameters::clamp_gamma), own && sr.clamp == ColorClamp::kVariance)
         << method.name;
     FrameGenerationOptions generation;
     generation.depth = DepthMeasure::kNone;

@@ -102,6 +102,7 @@ TEST_F(ProfileCommand, RefusesWhatMakesNoSense) {
   ExpectRefused(Profile({"--mode", "srr"}), kUsage, "'srr' is not a method");
   ExpectRefused(Profile({"--mode", "bicubic"}), kUsage, "bicubic is a baseline");
   ExpectRefused(Profile({"--mode", "repeat"}), kUsage, "repeat is a baseline");
+  ExpectRefused(Profile({"--mode", "taau"}), kUsage, "taau is another system");
   ExpectRefused(Profile({"--filter", "lanczos"}), kUsage, "lanczos");
   ExpectRefused(RunWarplut({"profile", "--out", Path("a.h")}), kUsage, "--sequence");
   EXPECT_FALSE(std::filesystem::exists(Path("PIPELINE.h")));

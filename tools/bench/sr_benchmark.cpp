@@ -7,6 +7,7 @@
 
 #include "datasets/error.h"
 #include "luts/baked/warplut_x2.h"
+#include "runtime/method.h"
 #include "tools/bench/bench_scene.h"
 
 namespace warplut {
@@ -25,6 +26,10 @@ constexpr Variant kVariants[] = {
     {"sample form", [](SuperResolutionOptions& o) { o.form = HistoryForm::kSample; }},
     {"no clamp", [](SuperResolutionOptions& o) { o.clamp = ColorClamp::kNone; }},
     {"no history", [](SuperResolutionOptions& o) { o.history = false; }},
+    {"taau", [](SuperResolutionOptions& o) { FindMethod("taau")->configure_super_resolution(o); }},
+    {"sgsr2",
+     [](SuperResolutionOptions& o) { FindMethod("sgsr2")->configure_super_resolution(o); }},
+    {"fsr2", [](SuperResolutionOptions& o) { FindMethod("fsr2")->configure_super_resolution(o); }},
     {"rgba16f", [](SuperResolutionOptions&) {}, PixelFormat::kRgba16F},
     {"linear HDR", [](SuperResolutionOptions& o) { o.encoding = ColorEncoding::kLinearHdr; },
      PixelFormat::kRgba16F},

@@ -91,6 +91,7 @@ std::string Initializer(const PipelineConfiguration& configuration) {
   members.Add("interpolation", configuration.interpolation, defaults.interpolation);
   members.Add("extrapolation", configuration.extrapolation, defaults.extrapolation);
   members.Add("reference", configuration.reference, defaults.reference);
+  members.Add("peers", configuration.peers, defaults.peers);
   members.Add("filter", configuration.filter);
   members.Add("lookup", configuration.lookup);
   members.AddGroup("sr", MembersOf(kSrChoices, configuration.sr));

@@ -119,7 +119,8 @@ PipelineConfiguration ConfigurationOf(const ProfiledPipeline& pipeline, ColorEnc
   configuration.interpolation = pipeline.Interpolates();
   configuration.extrapolation = pipeline.Extrapolates();
   configuration.reference = false;
-  if (pipeline.Warps()) {
+  configuration.peers = pipeline.sr.peer != nullptr;
+  if (pipeline.Warps() && !configuration.peers) {
     configuration.filter = pipeline.warp().filter;
     if (pipeline.ReadsTable()) configuration.lookup = pipeline.warp().lookup;
   }

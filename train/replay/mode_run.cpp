@@ -10,6 +10,7 @@
 
 #include "runtime/core/pixel.h"
 #include "train/replay/image_views.h"
+#include "train/replay/optical_flow.h"
 
 namespace warplut {
 namespace {
@@ -22,6 +23,9 @@ bool Generates(const MethodInfo& method) { return method.generation != Generatio
 bool WarpsFrames(const MethodInfo& method) {
   return Generates(method) && method.generator == Generator::kWarped;
 }
+
+// Whether it is given motion and depth of its frames.
+bool ReadsGeometry(const MethodInfo& method) { return WarpsFrames(method) && !method.optical_flow; }
 
 template <class Buffer>
 bool IsOn(const Buffer& buffer, GridSize grid) {
@@ -149,6 +153,11 @@ class ModeRun {
     const PixelFormat format = method_.super_resolution ? displays_[0].color.view().format
                                : TakesReferences(clip_) ? first.reference.view().format
                                                         : first.color.view().format;
+    if (method_.optical_flow) {
+      flow_.emplace(grid.width, grid.height, clip_.encoding);
+      flow_motion_ = MotionBuffer(grid.width, grid.height);
+      flat_depth_ = ImageBuffer(grid.width, grid.height, PixelFormat::kR32F);
+    }
     generated_ = ImageBuffer(grid.width, grid.height, format);
   }
 
@@ -188,15 +197,31 @@ class ModeRun {
 
   // Shows the frames between two displayed ones or after the later, from time `begin` on.
   void Generate(const Display& before, const Display& now, int begin) {
+    DisplayedFrame frame0 = before.frame, frame1 = now.frame;
+    double seconds = FindFlow(frame0, frame1);
     for (const float alpha : alphas_) {
       const Stopwatch watch;
-      const ImageView image = GenerateAt(before.frame, now.frame, alpha);
+      const ImageView image = GenerateAt(frame0, frame1, alpha);
+      seconds += watch.Seconds();
       Show({.time = begin + static_cast<double>(alpha) * options_.every,
             .generated = true,
             .image = image,
-            .seconds = watch.Seconds(),
+            .seconds = seconds,
             .tiles = generation_ ? generation_->Tiles() : FrameTiles{}});
+      seconds = 0;
     }
+  }
+
+  // Gives both frames the motion of their colours, where the method takes that; returns the time.
+  double FindFlow(DisplayedFrame& frame0, DisplayedFrame& frame1) {
+    if (!flow_) return 0;
+    const Stopwatch watch;
+    flow_->Find(frame0.color, frame1.color, flow_motion_.view());
+    for (DisplayedFrame* frame : {&frame0, &frame1}) {
+      frame->depth = flat_depth_.view();
+      frame->motion = flow_motion_.view();
+    }
+    return watch.Seconds();
   }
 
   ImageView GenerateAt(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha) {
@@ -249,6 +274,9 @@ class ModeRun {
   const std::vector<float> alphas_;
   std::optional<SuperResolution> super_resolution_;
   std::optional<FrameGeneration> generation_;
+  std::optional<OpticalFlow> flow_;
+  MotionBuffer flow_motion_;
+  ImageBuffer flat_depth_;  // with optical flow
   std::array<Display, 2> displays_;
   ImageBuffer generated_;
   ImageBuffer no_depth_;  // for methods that look at neither
@@ -262,18 +290,9 @@ Streams NeededStreams(const MethodInfo& method, Streams available) {
     return HasHistory(method) ? Streams::kRenderGrid : Streams::kColor;
   }
   if (GeneratesFromReferences(available)) {
-    return WarpsFrames(method) ? Streams::kOutputGrid : Streams::kReference;
+    return ReadsGeometry(method) ? Streams::kOutputGrid : Streams::kReference;
   }
-  return WarpsFrames(method) ? Streams::kRenderGrid : Streams::kColor;
-}
-
-std::vector<float> Alphas(const ModeRunOptions& options) {
-  if (!options.alphas.empty()) return options.alphas;
-  std::vector<float> alphas;
-  for (int k = 1; k <= options.generated; ++k) {
-    alphas.push_back(static_cast<float>(k) / static_cast<float>(options.generated + 1));
-  }
-  return alphas;
+  return ReadsGeometry(method) ? Streams::kRenderGrid : Streams::kColor;
 }
 
 bool HasHistory(const MethodInfo& method) {
@@ -333,27 +352,6 @@ FrameGenerationOptions EffectiveGeneration(const Clip& clip, const ModeRunOption
   options.method->configure_generation(effective);
   if (options.method->paper) effective.parameters = kPaperParameters;
   return effective;
-}
-
-bool AreTimesValid(const ModeRunOptions& options, std::string* why) {
-  std::string reason;
-  if (options.generated < 1 || options.generated > kMostGenerated) {
-    reason = fmt::format("generated is {}; expected 1 to {}", options.generated, kMostGenerated);
-  }
-  float last = 0;
-  for (const float alpha : options.alphas) {
-    if (!(alpha >= kAlphaStep && alpha <= 1 - kAlphaStep)) {
-      reason = fmt::format("alpha is {}; expected a time in (0, 1), at least {} from both ends",
-                           alpha, kAlphaStep);
-    } else if (!(alpha - last >= 0.99f * kAlphaStep)) {
-      reason = fmt::format("alpha {} comes after {}; expected ascending times, at least {} apart",
-                           alpha, last, kAlphaStep);
-    }
-    if (!reason.empty()) break;
-    last = alpha;
-  }
-  if (why != nullptr) *why = reason;
-  return reason.empty();
 }
 
 bool ModeRunOptions::IsValid(const Clip& clip, std::string* why) const {

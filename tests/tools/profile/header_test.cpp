@@ -12,6 +12,7 @@ TEST(PipelineHeader, IsTheOneThatCompiles) {
   PipelineConfiguration configuration;
   configuration.extrapolation = false;
   configuration.reference = false;
+  configuration.peers = false;
   configuration.filter = Filter::kCatmullRom;
   configuration.lookup = Lookup::kNearest;
   configuration.sr = {.form = HistoryForm::kSample,

@@ -11,6 +11,7 @@ namespace warplut {
 inline constexpr PipelineConfiguration kPipeline = {
     .extrapolation = false,
     .reference = false,
+    .peers = false,
     .filter = Filter::kCatmullRom,
     .lookup = Lookup::kNearest,
     .sr = {

@@ -125,10 +125,12 @@ TEST_F(ClipLossTest, OneTileIsEnough) {
 TEST_F(ClipLossTest, ParametersAreThoseThatMethodsRead) {
   EXPECT_EQ(ParametersOf({FindMethod("e")}),
             std::vector<int>{FindParameter("generation_depth_threshold")});
-  // By default interpolation has no brightness gate.
+  // By default interpolation has no brightness gate; no other system's parameters are among them.
   const auto both = ParametersOf({FindMethod("sr"), FindMethod("i")});
-  EXPECT_EQ(both.size(), kParameters.size() - 1);
+  EXPECT_EQ(both.size(), 5U);
   EXPECT_EQ(std::count(both.begin(), both.end(), FindParameter("brightness_threshold")), 0);
+  EXPECT_EQ(ParametersOf({FindMethod("taau")}),
+            (std::vector<int>{FindParameter("taau_blend"), FindParameter("taau_gamma")}));
   EXPECT_TRUE(ParametersOf({FindMethod("bicubic")}).empty());
 }
 

@@ -1,0 +1,16 @@
+// A peer of frame generation: the passes that it has of its own.
+#pragma once
+
+#include "runtime/generation/row_kernels.h"
+#include "runtime/peers.h"
+
+namespace warplut {
+
+struct GenerationPeer {
+  // The kernels of frame generation with those of the peer in their places: slow and obvious, and
+  // the same on vectors.
+  generation::RowKernels (*reference)(const generation::RowKernels& own);
+  generation::RowKernels (*fast)(const generation::RowKernels& own);
+};
+
+}  // namespace warplut

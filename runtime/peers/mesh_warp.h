@@ -1,0 +1,72 @@
+// 3D warping of a mesh of pixels (docs/METHODS.md): the centres of frame 1's pixels are vertices,
+// moved by the linear displacement D. Each 2 x 2 of them is two triangles, drawn into the generated
+// frame.
+//
+// At a pixel centre q inside of a triangle with vertices p_i + D_i and barycentric weights w_i the
+// source is p = sum of w_i p_i, that is q - sum of w_i D_i. The nearest triangle wins. Triangles
+// whose vertices are not alike in depth (DepthTolerance) are stretched over what they uncover, and
+// give way to all that are not. Triangles longer than kLongestSheet are not drawn.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "runtime/generation/target_motion.h"
+#include "runtime/peers/linear_motion.h"
+
+namespace warplut::peers {
+
+// In pixels, of the box around a quad in each axis.
+inline constexpr float kLongestSheet = 64.0f;
+
+// A splat key whose highest bit says that the triangle is stretched, then its depth, then
+// 2 * (index of the quad's upper left pixel) + (1 for the lower right triangle).
+inline constexpr SplatKey kStretched = SplatKey{1} << 63;
+
+// Pixels whose float index of a displacement fits 31 bits: what vectors gather.
+inline constexpr std::int64_t kMostGathered = std::int64_t{1} << 29;
+
+// Corners of a triangle, around q, and what is interpolated between them.
+struct Triangle {
+  Vector a, b, c;
+
+  // Weights of the corners, times twice the area; false where q is outside.
+  struct Weights {
+    float a, b, c, area;
+    bool inside;
+  };
+  Weights At() const {
+    const float wa = b.x * c.y - b.y * c.x;
+    const float wb = c.x * a.y - c.y * a.x;
+    const float wc = a.x * b.y - a.y * b.x;
+    const float area = wa + wb + wc;
+    const bool front = wa >= 0 && wb >= 0 && wc >= 0 && area > 0;
+    const bool back = wa <= 0 && wb <= 0 && wc <= 0 && area < 0;
+    return {wa, wb, wc, area, front || back};
+  }
+};
+
+// The pixels at the corners of a triangle, counted from the quad's upper left one.
+struct TriangleCorners {
+  PixelIndex a, b, c;
+};
+constexpr TriangleCorners CornersOf(bool lower) {
+  return lower ? TriangleCorners{{1, 1}, {0, 1}, {1, 0}} : TriangleCorners{{0, 0}, {1, 0}, {0, 1}};
+}
+
+// The linear displacements of row y of frame 1 into `forward`, NaN where there is no motion; returns
+// the rows that the quads between rows y and y + 1 reach.
+RowRange MeshForwardRow(const GenerationJob& job, int y, const MutableMotionView& forward);
+
+// Draws the quad of pixels (x, y) to (x + 1, y + 1) into the rows of `target`.
+void DrawQuad(const GenerationJob& job, const MotionView& forward, const DepthTolerance& tolerance,
+              int x, int y, RowRange target, const KeyView& keys);
+
+// The motion of the generated frame's pixel (x, y). A connected surface is taken from frame 1. A
+// stretched triangle is too, as it is, but with DisocclusionFill::kBackground the ground of its
+// farthest corner goes on: interpolation takes it from frame 0 by the motion of the corner,
+// extrapolation from frame 1, mirrored at the corner.
+// Nothing drawn: the pixel of frame 1 at the same place.
+TargetMotion MeshMotionAt(const GenerationJob& job, const Arrivals& arrivals, int x, int y);
+
+}  // namespace warplut::peers
