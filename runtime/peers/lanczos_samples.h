@@ -21,7 +21,7 @@ inline constexpr float kMovingSamples = 10.0f;
 inline constexpr float kLimitedWeight = 0.1f;  // of history that had to be limited, at most
 // A history that leaves the range of the samples by less is inside.
 inline constexpr float kRangeSlack = 0x1p-10f;
-inline constexpr float kLeastWeight = 1e-4f;  // of samples that count
+inline constexpr float kLeastWeight = 0.01f;  // of samples that count
 
 inline float Saturate(float v) { return std::clamp(v, 0.0f, 1.0f); }
 
