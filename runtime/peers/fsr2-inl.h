@@ -185,8 +185,22 @@ inline void UpdateFsr2(const SrJob& job, int begin, int end, SrScratch& scratch,
   UpdateRows(job, begin, end, out, weigh, blend);
 }
 
-// LimitToTexels of kLanes pixels whose sources follow each other; false if they do not.
-HWY_INLINE bool LimitPixels(const SrJob& job, const MotionView& motion, const float* validity,
+// The least and the greatest of the 2 x 2 texels of kLanes pixels that follow each other from (x, y)
+// on; columns x to x + kLanes and rows y and y + 1 lie in the image.
+HWY_INLINE void TexelRange(const ImageView& image, int x, int y, Colors& low, Colors& high) {
+  for (int k = 0; k < 4; ++k) {
+    const Pixels texel = LoadPixels(image, x + k % 2, y + k / 2, kLanes);
+    const Floats channels[3] = {texel.r, texel.g, texel.b};
+    for (int c = 0; c < 3; ++c) {
+      low.c[c] = k == 0 ? channels[c] : hn::Min(low.c[c], channels[c]);
+      high.c[c] = k == 0 ? channels[c] : hn::Max(high.c[c], channels[c]);
+    }
+  }
+}
+
+// LimitToTexels of those of kLanes pixels whose sources follow the first one's or precede the last
+// one's, as nearly all do where motion changes little. The others are limited one by one.
+HWY_INLINE void LimitPixels(const SrJob& job, const MotionView& motion, const float* validity,
                             int x, int y) {
   const FloatTag d;
   const IntTag di;
@@ -194,30 +208,37 @@ HWY_INLINE bool LimitPixels(const SrJob& job, const MotionView& motion, const fl
   const MutableImageView next = InFormat(kPipeline.sr.history_format, job.next);
   Floats mx, my;
   hn::LoadInterleaved2(d, motion.Row(y) + 2 * x, mx, my);
-  const auto column = hn::Floor(hn::Sub(PixelNumbers(x), mx));
+  const auto column =
+      hn::Sub(hn::Floor(hn::Sub(PixelNumbers(x), mx)), hn::ConvertTo(d, hn::Iota(di, 0)));
   const auto row = hn::Floor(hn::Sub(hn::Set(d, static_cast<float>(y)), my));
-  const float left = hn::GetLane(column), top = hn::GetLane(row);
-  const bool inside = left >= 0 && left + kLanes < static_cast<float>(history.width) && top >= 0 &&
-                      top + 1 < static_cast<float>(history.height);
-  if (!inside) return false;
-  const auto follow =
-      hn::And(hn::Eq(hn::Sub(column, hn::ConvertTo(d, hn::Iota(di, 0))), hn::Set(d, left)),
-              hn::Eq(row, hn::Set(d, top)));
-  if (!hn::AllTrue(d, follow)) return false;
-  const int tx = static_cast<int>(left), ty = static_cast<int>(top);
-  Pixels low = LoadPixels(history, tx, ty, kLanes), high = low;
-  for (int k = 1; k < 4; ++k) {
-    const Pixels texel = LoadPixels(history, tx + k % 2, ty + k / 2, kLanes);
-    low = {hn::Min(low.r, texel.r), hn::Min(low.g, texel.g), hn::Min(low.b, texel.b), low.a};
-    high = {hn::Max(high.r, texel.r), hn::Max(high.g, texel.g), hn::Max(high.b, texel.b), high.a};
-  }
+  auto valid = hn::Ge(hn::LoadU(d, validity + x), hn::Set(d, 1.0f));
+  if (hn::AllFalse(d, valid)) return;
   Pixels p = LoadPixels(next, x, y, kLanes);
-  const auto valid = hn::Ge(hn::LoadU(d, validity + x), hn::Set(d, 1.0f));
-  p.r = hn::IfThenElse(valid, Clamp(p.r, low.r, high.r), p.r);
-  p.g = hn::IfThenElse(valid, Clamp(p.g, low.g, high.g), p.g);
-  p.b = hn::IfThenElse(valid, Clamp(p.b, low.b, high.b), p.b);
+  const auto limit = [&](int lane) HWY_ATTR {
+    const float left = hn::ExtractLane(column, static_cast<std::size_t>(lane));
+    const float top = hn::ExtractLane(row, static_cast<std::size_t>(lane));
+    const bool inside = left >= 0 && left + kLanes < static_cast<float>(history.width) &&
+                        top >= 0 && top + 1 < static_cast<float>(history.height);
+    if (!inside) return;
+    const auto run =
+        hn::And(valid, hn::And(hn::Eq(column, hn::Set(d, left)), hn::Eq(row, hn::Set(d, top))));
+    if (hn::AllFalse(d, run)) return;
+    Colors low, high;
+    TexelRange(history, static_cast<int>(left), static_cast<int>(top), low, high);
+    p.r = hn::IfThenElse(run, Clamp(p.r, low.c[0], high.c[0]), p.r);
+    p.g = hn::IfThenElse(run, Clamp(p.g, low.c[1], high.c[1]), p.g);
+    p.b = hn::IfThenElse(run, Clamp(p.b, low.c[2], high.c[2]), p.b);
+    valid = hn::AndNot(run, valid);
+  };
+  limit(0);
+  if (!hn::AllFalse(d, valid)) limit(kLanes - 1);
   StorePixels(p, next, x, y, kLanes);
-  return true;
+  if (hn::AllFalse(d, valid)) return;
+  alignas(64) float left[kLanes];
+  hn::Store(hn::IfThenElseZero(valid, hn::Set(d, 1.0f)), d, left);
+  for (int i = 0; i < kLanes; ++i) {
+    if (left[i] > 0) LimitToTexels(job, motion, x + i, y);
+  }
 }
 
 inline void LimitFsr2(const SrJob& job, int begin, int end, SrScratch& scratch) {
@@ -225,9 +246,11 @@ inline void LimitFsr2(const SrJob& job, int begin, int end, SrScratch& scratch) 
   for (int y = begin; y < end; ++y) {
     const float* validity = scratch.validity.Row(y - begin);
     for (int x = 0; x < job.x.output(); x += kLanes) {
-      const int last = std::min(x + kLanes, job.x.output());
-      if (last == x + kLanes && LimitPixels(job, motion, validity, x, y)) continue;
-      for (int i = x; i < last; ++i) {
+      if (x + kLanes <= job.x.output()) {
+        LimitPixels(job, motion, validity, x, y);
+        continue;
+      }
+      for (int i = x; i < job.x.output(); ++i) {
         if (validity[i] >= 1) LimitToTexels(job, motion, i, y);
       }
     }

@@ -27,34 +27,34 @@ float KeptHistory(const SrJob& job, int x, int y, float validity, float shading,
                                                     job.options.parameters.fsr2_lock_ratio);
   const float luma =
       std::floor(LumaOf(mean.c[0], mean.c[1], mean.c[2]) / kLumaStep + 0.5f) * kLumaStep;
-  float* state = job.next_state.Row<float>(y) + 4 * x;
+  const MutableImageView& states = job.next_state;
+  const auto state = [&](int i) { return LoadChannel(states.format, states.At(x, y), i); };
+  const auto store = [&](float lifetime, float lock_shading, float luma_before) {
+    const float values[4] = {lifetime, lock_shading, luma, luma_before};
+    for (int i = 0; i < 4; ++i) StoreChannel(states.format, values[i], states.At(x, y), i);
+  };
   if (!(validity > 0)) {
-    state[0] = is_new ? 1.0f : 0.0f;
-    state[1] = shading;
-    state[2] = state[3] = luma;
+    store(is_new ? 1.0f : 0.0f, shading, luma);
     return 0;
   }
-  float lifetime = state[0];
+  float lifetime = state(0);
   if (is_new) {
     lifetime = lifetime > 0 ? 2.0f : 1.0f;
-  } else if (lifetime > 1 && LumaRatio(state[1], shading) < 1 - kLockBreak) {
+  } else if (lifetime > 1 && LumaRatio(state(1), shading) < 1 - kLockBreak) {
     lifetime = 0;
   }
   lifetime *= validity;
-  const float lock_shading = 0.5f * (state[1] + shading);
+  const float lock_shading = 0.5f * (state(1) + shading);
   const float lock =
       Saturate(kTrustedLock * Saturate(lifetime - 1)) * LumaRatio(lock_shading, shading);
-  const float change = luma - state[2], change_before = luma - state[3];
+  const float change = luma - state(2), change_before = luma - state(3);
   const bool alternates = change * change_before > 0 && std::abs(change) >= kLumaStep &&
                           std::abs(change_before) < std::abs(change);
   const float spread =
       Saturate(LumaOf(deviation.c[0], deviation.c[1], deviation.c[2]) / kUnstableDeviation);
   const float cube = spread * spread * spread;
   const float unstable = alternates ? cube * cube : 0.0f;
-  state[0] = std::max(lifetime - LockDecay(job), 0.0f);
-  state[1] = lock_shading;
-  state[3] = state[2];
-  state[2] = luma;
+  store(std::max(lifetime - LockDecay(job), 0.0f), lock_shading, state(2));
   return std::max(lock, unstable);
 }
 

@@ -14,6 +14,7 @@ namespace HWY_NAMESPACE {
 
 HWY_INLINE Floats MotionLengths(const SrJob& job, int x, int y) {
   const FloatTag d;
+  if (!job.HasHistory()) return hn::Zero(d);
   const Columns nearest(job.x.nearest(), x);
   const int j = job.y.nearest()[y];
   const auto mx = hn::Mul(nearest.At(job.planes.motion_x.Row(j)), hn::Set(d, job.x.scale()));

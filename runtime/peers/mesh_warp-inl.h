@@ -118,8 +118,8 @@ HWY_INLINE bool DrawQuads(const GenerationJob& job, const MotionView& forward,
   const auto sums = hn::Add(hn::Add(hn::Add(v00.x, v10.x), hn::Add(v01.x, v11.x)),
                             hn::Add(hn::Add(v00.y, v10.y), hn::Add(v01.y, v11.y)));
   if (!hn::AllTrue(d, IsFiniteVector(sums))) return false;
-  const auto first_x = hn::Ceil(least(v00.x, v10.x, v01.x, v11.x));
-  const auto first_y = hn::Ceil(least(v00.y, v10.y, v01.y, v11.y));
+  const auto left = least(v00.x, v10.x, v01.x, v11.x), top = least(v00.y, v10.y, v01.y, v11.y);
+  const auto first_x = hn::Ceil(left), first_y = hn::Ceil(top);
   const auto last_x = most(v00.x, v10.x, v01.x, v11.x);
   const auto last_y = most(v00.y, v10.y, v01.y, v11.y);
   const auto two = hn::Set(d, 2.0f);
@@ -132,7 +132,9 @@ HWY_INLINE bool DrawQuads(const GenerationJob& job, const MotionView& forward,
   const auto slack =
       hn::Add(hn::Set(d, tolerance.absolute),
               hn::Mul(hn::Set(d, tolerance.relative), hn::Max(nearest, hn::Set(d, 1e-12f))));
-  const auto stretched = hn::Gt(hn::Abs(hn::Sub(nearest, farthest)), slack);
+  const auto extent = hn::Max(hn::Sub(last_x, left), hn::Sub(last_y, top));
+  const auto stretched = hn::And(hn::Gt(extent, hn::Set(d, kLeastStretch)),
+                                 hn::Gt(hn::Abs(hn::Sub(nearest, farthest)), slack));
   const auto stretched_bit =
       hn::IfThenElseZero(hn::RebindMask(du, stretched), hn::Set(du, 0x80000000u));
   const auto quad = hn::BitCast(du, Numbers(y * job.width() + x));

@@ -3,9 +3,10 @@
 // frame.
 //
 // At a pixel centre q inside of a triangle with vertices p_i + D_i and barycentric weights w_i the
-// source is p = sum of w_i p_i, that is q - sum of w_i D_i. The nearest triangle wins. Triangles
-// whose vertices are not alike in depth (DepthTolerance) are stretched over what they uncover, and
-// give way to all that are not. Triangles longer than kLongestSheet are not drawn.
+// source is p = sum of w_i p_i, that is q - sum of w_i D_i. The nearest triangle wins. Triangles of
+// a quad whose vertices are not alike in depth (DepthTolerance) and are more than kLeastStretch
+// apart are stretched over what they uncover, and give way to all that are not. Triangles of quads
+// longer than kLongestSheet are not drawn.
 #pragma once
 
 #include <cmath>
@@ -16,7 +17,9 @@
 
 namespace warplut::peers {
 
-// In pixels, of the box around a quad in each axis.
+// In pixels, of the box around a quad in each axis: where it is stretched, where it is torn. At rest
+// a quad has 1.
+inline constexpr float kLeastStretch = 1.5f;
 inline constexpr float kLongestSheet = 64.0f;
 
 // A splat key whose highest bit says that the triangle is stretched, then its depth, then

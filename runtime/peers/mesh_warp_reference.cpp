@@ -58,7 +58,8 @@ void DrawQuad(const GenerationJob& job, const MotionView& forward, const DepthTo
   const auto [top, bottom] = std::minmax({at[0][0].y, at[0][1].y, at[1][0].y, at[1][1].y});
   const auto [near, far] = std::minmax({depth[0][0], depth[0][1], depth[1][0], depth[1][1]});
   if (right - left > kLongestSheet || bottom - top > kLongestSheet) return;
-  const SplatKey stretched = tolerance.Alike(near, far) ? 0 : kStretched;
+  const bool is_wide = std::max(right - left, bottom - top) > kLeastStretch;
+  const SplatKey stretched = is_wide && !tolerance.Alike(near, far) ? kStretched : 0;
   const auto limited = [](float v, int low, int high) {
     return static_cast<int>(std::clamp(v, static_cast<float>(low), static_cast<float>(high)));
   };

@@ -16,7 +16,7 @@ struct SrPeerPasses {
 
 struct SrPeer {
   Filter filter;     // of the history, whatever the options say
-  bool keeps_state;  // four numbers for each output pixel, in [0, 2], that move with the history
+  bool keeps_state;  // four halves for each output pixel, in [0, 2], that move with the history
   const SrPeerPasses& (*reference)();  // slow and obvious
   const SrPeerPasses& (*fast)();       // the same on vectors
 };

@@ -139,7 +139,7 @@ inline SuperResolution::State::State(const SuperResolutionOptions& chosen, Execu
   }
   if (KeepsState(options)) {
     for (ImageBuffer* image : {&state, &next_state}) {
-      *image = ImageBuffer(options.output_width, options.output_height, PixelFormat::kRgba32F);
+      *image = ImageBuffer(options.output_width, options.output_height, PixelFormat::kRgba16F);
     }
   }
   if (FiltersMotion(options)) {
