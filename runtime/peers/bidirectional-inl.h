@@ -74,8 +74,8 @@ class Reprojector {
       found.y = hn::IfThenElse(going, last_y, found.y);
     }
     const auto miss = hn::Max(hn::Abs(hn::Sub(last_x, found.x)), hn::Abs(hn::Sub(last_y, found.y)));
-    found.miss = hn::IfThenElse(going, miss, found.miss);
-    return found;
+    return {hn::IfThenElseZero(going, found.x), hn::IfThenElseZero(going, found.y),
+            hn::IfThenElse(going, miss, hn::Inf(d))};
   }
 
   const GenerationJob& job_;

@@ -5,7 +5,8 @@
 //   p <- q - D(p)   kIterations times, D read at the pixel nearest to p,
 // from p = q, and where that misses q by more than the tolerance also from q - D with the motion
 // that the other frame has at q; what misses by less is taken. The miss is the greater axis of
-// |p + D(p) - q|; it is infinite where the way leads out of the image or to a pixel without motion.
+// |p + D(p) - q|; it is infinite, and p = q, where the way leads out of the image or to a pixel
+// without motion.
 //
 // A source counts if it misses by no more than the tolerance. Of two that count and are not alike in
 // depth (DepthTolerance) the nearer to the camera hides the other; if none counts, the lesser miss

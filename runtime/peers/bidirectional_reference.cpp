@@ -16,9 +16,9 @@ Reprojection Iterate(const GenerationJob& job, const MovingFrame& frame, int x, 
   Vector last = start;
   for (int i = 0; i <= kIterations; ++i) {
     const PixelIndex p = NearestPixel(job, x, y, {-found.motion.x, -found.motion.y});
-    if (p.x < 0) return found;
+    if (p.x < 0) return {{}, kInfinity};
     const Vector m = MotionAt(frame.motion, p.x, p.y);
-    if (!IsFinite(m)) return found;
+    if (!IsFinite(m)) return {{}, kInfinity};
     last = frame.share * m;
     if (i < kIterations) found.motion = last;
   }

@@ -162,9 +162,9 @@ HWY_INLINE bool DrawQuads(const GenerationJob& job, const MotionView& forward,
             lower == 0 ? TriangleWeights(p00, p10, p01) : TriangleWeights(p11, p01, p10);
         const auto kept = hn::And(here, weights.inside);
         if (hn::AllFalse(d, kept)) continue;
-        const auto depth =
-            hn::Min(lower == 0 ? weights.Of(v00.z, v10.z, v01.z) : weights.Of(v11.z, v01.z, v10.z),
-                    hn::Set(d, kFarthestDepth));
+        const auto mean =
+            lower == 0 ? weights.Of(v00.z, v10.z, v01.z) : weights.Of(v11.z, v01.z, v10.z);
+        const auto depth = hn::Min(hn::Max(mean, nearest), farthest);
         const auto high = hn::Or(hn::BitCast(du, hn::Add(depth, zero)), stretched_bit);
         const auto low =
             hn::Add(hn::ShiftLeft<1>(quad), hn::Set(du, static_cast<std::uint32_t>(lower)));

@@ -74,7 +74,7 @@ void DrawQuad(const GenerationJob& job, const MotionView& forward, const DepthTo
         const Triangle::Weights w = triangle.At();
         if (!w.inside) continue;
         const float sum = w.a * depth[a.y][a.x] + w.b * depth[b.y][b.x] + w.c * depth[c.y][c.x];
-        const float z = std::min(sum / w.area, kFarthestDepth);
+        const float z = std::clamp(sum / w.area, near, far);
         const auto quad = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(job.width()) +
                           static_cast<std::uint32_t>(x);
         SplatKey& kept = keys.Row(qy)[qx];

@@ -349,6 +349,8 @@ FrameGenerationOptions EffectiveGeneration(const Clip& clip, const ModeRunOption
   } else if (options.filter_quantised_motion && clip.quantised_motion) {
     effective.motion_filter = true;
   }
+  // The motion of colours has no depth to be filtered by.
+  if (options.method->optical_flow) effective.motion_filter = false;
   options.method->configure_generation(effective);
   if (options.method->paper) effective.parameters = kPaperParameters;
   return effective;
