@@ -26,7 +26,8 @@ InputConventions InputConventions::DepthBuffer(float near_plane, float far_plane
 bool GpuSuperResolution::IsRunnable(const VulkanDevice& device,
                                     const SuperResolutionOptions& options, std::string* why) {
   if (options.peer != nullptr) {
-    return Refused("the options name a peer; the GPU has the passes of super resolution alone", why);
+    return Refused("the options name a peer; the GPU has the passes of super resolution alone",
+                   why);
   }
   const PixelFormat format = HistoryFormatOf(options);
   if (format != PixelFormat::kRgba16F && format != PixelFormat::kRgba32F) {

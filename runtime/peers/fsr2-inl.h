@@ -185,8 +185,8 @@ inline void UpdateFsr2(const SrJob& job, int begin, int end, SrScratch& scratch,
   UpdateRows(job, begin, end, out, weigh, blend);
 }
 
-// The least and the greatest of the 2 x 2 texels of kLanes pixels that follow each other from (x, y)
-// on; columns x to x + kLanes and rows y and y + 1 lie in the image.
+// The least and the greatest of the 2 x 2 texels of kLanes pixels that follow each other from
+// (x, y) on; columns x to x + kLanes and rows y and y + 1 lie in the image.
 HWY_INLINE void TexelRange(const ImageView& image, int x, int y, Colors& low, Colors& high) {
   for (int k = 0; k < 4; ++k) {
     const Pixels texel = LoadPixels(image, x + k % 2, y + k / 2, kLanes);

@@ -19,7 +19,8 @@ inline constexpr float kUnstableDeviation = 0.1f;  // of luma, where instability
 inline constexpr float kPhasesOfPixel = 8.0f;      // of the jitter, for each render pixel at x1
 inline constexpr int kShadingTile = 8;             // samples in each axis
 
-// Lanczos' kernel of two lobes, (25/16 (2/5 t - 1)^2 - 9/16) (t/4 - 1)^2 for t = (d bias)^2 up to 4.
+// Lanczos' kernel of two lobes, (25/16 (2/5 t - 1)^2 - 9/16) (t/4 - 1)^2 for t = (d bias)^2 up to
+// 4.
 inline float Fsr2Kernel(float t) {
   const float s = std::min(t, 4.0f);
   const float a = 0.4f * s - 1, b = 0.25f * s - 1;

@@ -38,8 +38,8 @@ HWY_INLINE Floats HistoryWeights(Floats validity, Floats weight, Floats length) 
   return towards(base, weight, ShareOf(length, kBoxMotion));
 }
 
-// The weights of the samples around kLanes pixels: Kernel()(d^2) of the colour; of the box a product
-// of one factor for each axis.
+// The weights of the samples around kLanes pixels: Kernel()(d^2) of the colour; of the box a
+// product of one factor for each axis.
 template <class Kernel>
 class LanczosWeights {
  public:

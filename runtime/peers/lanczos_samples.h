@@ -25,8 +25,8 @@ inline constexpr float kLeastWeight = 0.01f;  // of samples that count
 
 inline float Saturate(float v) { return std::clamp(v, 0.0f, 1.0f); }
 
-// Length of the motion at an output pixel, in output pixels; 0 where there is none, or no frame that
-// it leads to.
+// Length of the motion at an output pixel, in output pixels; 0 where there is none, or no frame
+// that it leads to.
 inline float MotionLength(const SrJob& job, int x, int y) {
   if (!job.HasHistory()) return 0.0f;
   const int i = job.x.nearest()[x], j = job.y.nearest()[y];

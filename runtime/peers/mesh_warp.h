@@ -17,8 +17,8 @@
 
 namespace warplut::peers {
 
-// In pixels, of the box around a quad in each axis: where it is stretched, where it is torn. At rest
-// a quad has 1.
+// In pixels, of the box around a quad in each axis: where it is stretched, where it is torn. At
+// rest a quad has 1.
 inline constexpr float kLeastStretch = 1.5f;
 inline constexpr float kLongestSheet = 64.0f;
 
@@ -57,8 +57,8 @@ constexpr TriangleCorners CornersOf(bool lower) {
   return lower ? TriangleCorners{{1, 1}, {0, 1}, {1, 0}} : TriangleCorners{{0, 0}, {1, 0}, {0, 1}};
 }
 
-// The linear displacements of row y of frame 1 into `forward`, NaN where there is no motion; returns
-// the rows that the quads between rows y and y + 1 reach.
+// The linear displacements of row y of frame 1 into `forward`, NaN where there is no motion;
+// returns the rows that the quads between rows y and y + 1 reach.
 RowRange MeshForwardRow(const GenerationJob& job, int y, const MutableMotionView& forward);
 
 // Draws the quad of pixels (x, y) to (x + 1, y + 1) into the rows of `target`.

@@ -1,6 +1,6 @@
 // Motion found in the colours of two frames, for methods that are not given any: dense inverse
-// search (Kroeger et al., Fast Optical Flow using Dense Inverse Search, ECCV 2016), OpenCV's, preset
-// "medium".
+// search (Kroeger et al., Fast Optical Flow using Dense Inverse Search, ECCV 2016), OpenCV's,
+// preset "medium".
 #pragma once
 
 #include <memory>
