@@ -9,9 +9,9 @@
 // without motion.
 //
 // A source counts if it misses by no more than the tolerance. Of two that count and are not alike
-// in depth (DepthTolerance) the nearer to the camera hides the other; if none counts, the lesser miss
-// is taken. A source that is not taken is kOutside. Where the motion of frame 0 does not count (it
-// is a cut) frame 0 is read where the source in frame 1 was.
+// in depth (DepthTolerance) the nearer to the camera hides the other; if none counts, the lesser
+// miss is taken. A source that is not taken is kOutside. Where the motion of frame 0 does not count
+// (it is a cut) frame 0 is read where the source in frame 1 was.
 #pragma once
 
 #include "runtime/generation/target_motion.h"
