@@ -12,6 +12,7 @@
 #include "tools/calibration_report.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
+#include "tools/memory_size.h"
 #include "tools/pipeline_options.h"
 #include "tools/progress.h"
 #include "tools/thread_limit.h"
@@ -39,6 +40,7 @@ struct CalibrateArguments {
   int every = 2;
   int max_pixels = 0;
   int max_frames = 0;
+  std::string memory;
   bool resume = false;
   bool json = false;
   bool generated_given = false;
@@ -120,40 +122,41 @@ std::vector<Part> PartsOf(const CalibrateArguments& arguments, const Pipeline& p
 }
 
 // The runs of one part: super resolution on all frames, what generates on one in `every`. Its owner
-// alone loads the clip.
+// alone loads the clip, from the shelf. `part` and `pipeline` outlive the runs.
 std::vector<ClipRun> RunsOf(const CalibrateArguments& arguments, const Pipeline& pipeline,
                             const std::vector<const MethodInfo*>& methods, const Part& part,
-                            int owner) {
+                            int owner, ClipShelf& shelf) {
   std::vector<ClipRun> runs;
-  const bool own = owner == Ranks::World().rank();
-  std::vector<const Clip*> clips;
+  Clip limited;  // what there is to warn of
+  limited.name = part.sequence.name;
   for (const bool generates : {false, true}) {
     const int every = generates ? arguments.every : 1;
     std::vector<const MethodInfo*> same;
+    Streams judging = Streams::kNone;
     for (const MethodInfo* method : methods) {
-      if ((method->generation != Generation::kNone) == generates) same.push_back(method);
+      if ((method->generation != Generation::kNone) != generates) continue;
+      same.push_back(method);
+      judging = judging | JudgingStreams(*method, AvailableStreams(part.sequence));
     }
     if (same.empty()) continue;
-    std::shared_ptr<const Clip> clip;
-    if (own) {
-      Streams judging = Streams::kNone;
-      for (const MethodInfo* method : same) {
-        judging = judging | JudgingStreams(*method, AvailableStreams(part.sequence));
-      }
-      clip = std::make_shared<const Clip>(
-          CropClip(pipeline.Load(part.sequence, part.range, same,
-                                 judging & (Streams::kReference | Streams::kColor), every),
-                   arguments.max_pixels));
-      clips.push_back(clip.get());
+    ClipSource source;
+    if (owner == Ranks::World().rank()) {
+      const Streams more = judging & (Streams::kReference | Streams::kColor);
+      source = shelf.Add([&pipeline, &part, same, more, every, pixels = arguments.max_pixels] {
+        return CropClip(pipeline.Load(part.sequence, part.range, same, more, every), pixels);
+      });
+      const std::shared_ptr<const Clip> clip = source.Take();
+      limited.limited_color = std::max(limited.limited_color, clip->limited_color);
+      limited.limited_reference = std::max(limited.limited_reference, clip->limited_reference);
     }
     for (const MethodInfo* method : same) {
-      runs.push_back({.clip = clip,
+      runs.push_back({.clip = source,
                       .options = pipeline.Options(*method, every),
                       .name = part.sequence.name,
                       .owner = owner});
     }
   }
-  WarnOfLimitedColor(clips);
+  WarnOfLimitedColor({&limited});
   return runs;
 }
 
@@ -181,14 +184,15 @@ struct Split {
 };
 
 Split LoadParts(const CalibrateArguments& arguments, const Pipeline& pipeline,
-                const std::vector<const MethodInfo*>& methods, const std::vector<Part>& parts) {
+                const std::vector<const MethodInfo*>& methods, const std::vector<Part>& parts,
+                ClipShelf& shelf) {
   Split split;
   const std::vector<int> owners = OwnersOf(parts);
   Progress progress("loading", static_cast<double>(parts.size()), "clips");
   for (std::size_t i = 0; i < parts.size(); ++i) {
     ThrowIfInterrupted("calibrate", "nothing was written");
     const Part& part = parts[i];
-    std::vector<ClipRun> runs = RunsOf(arguments, pipeline, methods, part, owners[i]);
+    std::vector<ClipRun> runs = RunsOf(arguments, pipeline, methods, part, owners[i], shelf);
     auto& to = part.held_out ? split.held_out : split.fitted;
     to.insert(to.end(), runs.begin(), runs.end());
     progress.Add(1);
@@ -264,6 +268,7 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
     return known;
   });
   CalibrationOptions options = OptionsOf(arguments, methods);
+  const std::size_t memory = AsUsage([&] { return ParseMemorySize(arguments.memory); });
   const ThreadLimit limit(arguments.pipeline.threads);
   const std::filesystem::path out = arguments.out;
   Ranks& ranks = Ranks::World();
@@ -274,7 +279,8 @@ ExitCode RunCalibrate(CalibrateArguments arguments) {
 
   const Pipeline pipeline(arguments.pipeline);
   const std::vector<Part> parts = PartsOf(arguments, pipeline, methods);
-  const Split split = LoadParts(arguments, pipeline, methods, parts);
+  ClipShelf shelf(memory);
+  const Split split = LoadParts(arguments, pipeline, methods, parts, shelf);
   options.data = DataText(arguments, pipeline, parts);
   ranks.RequireSame("the options or the sequences", options.Identity());
   ThreadPool pool(arguments.pipeline.threads);
@@ -364,6 +370,9 @@ void AddCalibrateCommand(Command app, CommandRun* run) {
       .Add("--max-frames", a.max_frames,
            "Number of frames to fit, from the first of each clip (default: all)")
       .Within(1, std::numeric_limits<int>::max());
+  command.Add("--memory", a.memory,
+              "Most memory for clips, as 2G or 500M, on each rank; clips that find no room are "
+              "loaded for every run of the pipeline (default: all are kept)");
   command.AddFlag("--resume", a.resume, "Continue an interrupted calibration from its checkpoint");
   AddTableOptions(command, &a.pipeline);
   AddPipelineOptions(command, &a.pipeline);

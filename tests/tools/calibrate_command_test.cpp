@@ -144,6 +144,22 @@ TEST_F(CalibrateCommand, TheSameFileForAnyNumberOfThreads) {
   EXPECT_EQ(ReadFile(Out()), ReadFile(Path("three.json")));
 }
 
+// A clip for super resolution and one for generation, of which the limit lets one stay.
+TEST_F(CalibrateCommand, TheSameFileHoweverFewClipsAreInMemory) {
+  const auto calibrate = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"--modes", "sr,i", "--out", Path(out)};
+    all.insert(all.end(), more.begin(), more.end());
+    const ProgramResult result = RunWarplut(Arguments(all));
+    EXPECT_EQ(result.code, 0) << result.err;
+    nlohmann::json json = nlohmann::json::parse(ReadFile(Path(out)));
+    json["calibration"].erase("seconds");
+    return json;
+  };
+  EXPECT_EQ(calibrate("all.json", {}), calibrate("few.json", {"--memory", "120K"}));
+  ExpectRefused(RunWarplut(Arguments({"--memory", "9K"})), kFailed, "the limit of 9 KiB");
+  ExpectRefused(RunWarplut(Arguments({"--memory", "much"})), kUsage, "'much'");
+}
+
 TEST_F(CalibrateCommand, RefusesWhatMakesNoSense) {
   ExpectRefused(RunWarplut(Arguments({"--modes", "srr"})), kUsage, "'srr' is not a method");
   ExpectRefused(RunWarplut(Arguments({"--modes", "sr-paper"})), kUsage,

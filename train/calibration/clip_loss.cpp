@@ -14,24 +14,21 @@
 
 namespace warplut {
 
-// One run of this rank and the references that judge it.
+// One run of this rank and the frames that it is judged by.
 class ClipLoss::Judge {
  public:
-  Judge(ClipRun run, Executor& executor)
-      : run_(std::move(run)), executor_(executor), grid_(CheckedGrid(run_)) {
-    const Clip& clip = *run_.clip;
+  // `clip`: of the run.
+  Judge(ClipRun run, const Clip& clip, Executor& executor)
+      : run_(std::move(run)), executor_(executor), grid_(CheckedGrid(run_, clip)) {
     for (const int frame : JudgedFrames(clip, run_.options)) {
-      const GridSize grid = ShownGrid(clip, *run_.options.method);
-      const ImageView reference =
-          TrueFrameOf(clip.frames[static_cast<std::size_t>(frame)], grid.width, grid.height).image;
-      if (reference.width == 0) {
+      if (TruthOf(clip, frame).width == 0) {
         throw Error(fmt::format(
             "the sequence '{}' has no stream 'reference', by which a calibration judges",
             clip.name));
       }
-      references_.emplace(frame, LumaOf(reference, clip.encoding, executor_));
+      judged_.insert(frame);
     }
-    if (references_.empty()) {
+    if (judged_.empty()) {
       throw Error(fmt::format(
           "the method {} shows no frame of '{}' ({} frames, one in {} rendered) that can be judged",
           run_.options.method->name, clip.name, clip.frames.size(), run_.options.every));
@@ -54,35 +51,40 @@ class ClipLoss::Judge {
     run_.options.generation.parameters = parameters;
     run_.options.generation.gate_width = gate_width;
     std::vector<double> losses(tiles());
-    RunMode(*run_.clip, run_.options, executor_, [&](const ShownFrame& shown) {
-      if (!IsJudged(*run_.options.method, shown)) return;
-      const auto reference = references_.find(shown.frame);
-      if (reference == references_.end()) return;
-      const LumaPlane luma = LumaOf(shown.image, run_.clip->encoding, executor_);
+    const std::shared_ptr<const Clip> clip = run_.clip.Take();
+    RunMode(*clip, run_.options, executor_, [&](const ShownFrame& shown) {
+      if (!IsJudged(*run_.options.method, shown) || !judged_.contains(shown.frame)) return;
+      const LumaPlane truth = LumaOf(TruthOf(*clip, shown.frame), clip->encoding, executor_);
+      const LumaPlane luma = LumaOf(shown.image, clip->encoding, executor_);
       executor_.ForEach(grid_.count(), [&](int tile) {
-        const Ssim ssim(grid_.Window(reference->second.view(), tile));
+        const Ssim ssim(grid_.Window(truth.view(), tile));
         losses[static_cast<std::size_t>(tile)] +=
             std::max(0.0, 1 - ssim.Mean(grid_.Window(luma.view(), tile)));
       });
     });
-    for (double& loss : losses) loss /= static_cast<double>(references_.size());
+    for (double& loss : losses) loss /= static_cast<double>(judged_.size());
     return losses;
   }
 
  private:
-  static TileGrid CheckedGrid(const ClipRun& run) {
+  ImageView TruthOf(const Clip& clip, int frame) const {
+    const GridSize grid = ShownGrid(clip, *run_.options.method);
+    return TrueFrameOf(clip.frames[static_cast<std::size_t>(frame)], grid.width, grid.height).image;
+  }
+
+  static TileGrid CheckedGrid(const ClipRun& run, const Clip& clip) {
     std::string why;
-    if (!run.options.IsValid(*run.clip, &why)) throw Error(why);
+    if (!run.options.IsValid(clip, &why)) throw Error(why);
     const MethodInfo& method = *run.options.method;
     if (method.paper) {
       throw Error(fmt::format(
           "the method {} runs with the paper's constants; expected one that can be calibrated",
           method.name));
     }
-    const GridSize grid = ShownGrid(*run.clip, method);
+    const GridSize grid = ShownGrid(clip, method);
     if (grid.width < kSsimWindow || grid.height < kSsimWindow) {
       throw Error(fmt::format("the frames of '{}' are {} x {}; expected at least {} x {}",
-                              run.clip->name, grid.width, grid.height, kSsimWindow, kSsimWindow));
+                              clip.name, grid.width, grid.height, kSsimWindow, kSsimWindow));
     }
     return {grid.width, grid.height};
   }
@@ -90,7 +92,7 @@ class ClipLoss::Judge {
   ClipRun run_;
   Executor& executor_;
   TileGrid grid_;
-  std::map<int, LumaPlane> references_;
+  std::set<int> judged_;  // indices of frames
 };
 
 ClipLoss::ClipLoss(std::vector<ClipRun> runs, Executor& executor) {
@@ -104,10 +106,14 @@ ClipLoss::ClipLoss(std::vector<ClipRun> runs, Executor& executor) {
   std::vector<std::string> names;
   for (ClipRun& run : runs) {
     weights_.push_back(1.0 / static_cast<double>(clips.size()) / clips[run.options.method]);
-    names.push_back(run.clip ? run.clip->name : run.name);
-    const bool own = run.owner == ranks.rank();
-    judges_.push_back(own ? std::make_unique<Judge>(std::move(run), executor) : nullptr);
-    shares_.push_back(own ? judges_.back()->Shares() : std::vector<double>());
+    names.push_back(run.name);
+    judges_.emplace_back();
+    shares_.emplace_back();
+    if (run.owner != ranks.rank()) continue;
+    const std::shared_ptr<const Clip> clip = run.clip.Take();
+    names.back() = clip->name;
+    judges_.back() = std::make_unique<Judge>(std::move(run), *clip, executor);
+    shares_.back() = judges_.back()->Shares();
   }
   ranks.Exchange(owners_, shares_);
   std::map<std::string, int> sources;

@@ -10,13 +10,14 @@
 #include "train/calibration/luma_plane.h"
 #include "train/calibration/residual_function.h"
 #include "train/calibration/tile_grid.h"
+#include "train/replay/clip_shelf.h"
 #include "train/replay/mode_run.h"
 
 namespace warplut {
 
 // One method over one clip. Its own parameters and gate width do not matter.
 struct ClipRun {
-  std::shared_ptr<const Clip> clip;  // null on the ranks that do not own the run
+  ClipSource clip;  // none on the ranks that do not own the run
   ModeRunOptions options;
   std::string name = {};  // of the clip
   int owner = 0;          // the rank that runs it
@@ -27,6 +28,10 @@ struct ClipRun {
 // others (a first frame has no history), where there is a reference. One residual for each run and
 // tile, sqrt(2 weight (1 - SSIM)) with SSIM the mean over the tile and the frames: frames show the
 // same things again, so they are no data of their own.
+//
+// Clips are taken one after the other, in the constructor and for every evaluation: a ClipShelf
+// bounds their memory. What is kept of each run does not grow with its pixels and frames, but for a
+// number for each tile.
 class ClipLoss final : public ResidualFunction {
  public:
   // The executor outlives the object; the residuals do not depend on it. Error: no run, a method

@@ -69,6 +69,29 @@ TEST_F(ClipLossTest, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+// Clips that are loaded again for each evaluation are the same clips.
+TEST_F(ClipLossTest, HasTheSameBitsHoweverFewClipsAreHeld) {
+  const char* const scenes[] = {"street", "plaza", "still"};
+  const auto load = [](const char* scene) {
+    return SceneClip({.scene = scene, .width = 64, .height = 48, .frames = 3});
+  };
+  const std::size_t bytes = ClipBytes(load(scenes[0]));
+  ClipShelf all, one(bytes);
+  std::vector<ClipRun> kept, streamed;
+  for (const char* scene : scenes) {
+    const auto load_it = [=] { return load(scene); };
+    kept.push_back({.clip = all.Add(load_it), .options = Mode("sr")});
+    streamed.push_back({.clip = one.Add(load_it), .options = Mode("sr")});
+  }
+  ClipLoss expected(kept, serial_), found(streamed, serial_);
+  EXPECT_EQ(Residuals(expected), Residuals(found));
+  EXPECT_EQ(Residuals(expected, kPaperParameters, 0.4f), Residuals(found, kPaperParameters, 0.4f));
+  EXPECT_EQ(all.loads(), 3);
+  EXPECT_EQ(all.held(), 3 * bytes);
+  EXPECT_GE(one.loads(), 7);
+  EXPECT_EQ(one.most_held(), bytes);
+}
+
 TEST_F(ClipLossTest, MethodsCountAlike) {
   ClipLoss sr({{clip_, Mode("sr")}}, serial_);
   ClipLoss interpolation({{clip_, Mode("i", 2)}}, serial_);
