@@ -42,5 +42,7 @@ TEST(Golden, ModesHaveTheStoredBits) { ExpectStored(ModeHashes()); }
 
 TEST(Golden, TrainingsHaveTheStoredBits) { ExpectStored(TrainingHashes()); }
 
+TEST(Golden, CalibrationsHaveTheStoredBits) { ExpectStored(CalibrationHashes()); }
+
 }  // namespace
 }  // namespace warplut
