@@ -4,17 +4,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 
 #include "datasets/file.h"
-#include "tools/interrupt.h"
-#include "tools/judge/sequence_report.h"
-#include "tools/pictures/sequence_pictures.h"
+#include "tools/judge/sequence_judging.h"
 #include "tools/pipeline_options.h"
-#include "tools/progress.h"
 #include "tools/thread_limit.h"
-#include "tools/warning.h"
-#include "train/replay/judged_frames.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -50,107 +45,6 @@ MethodList JudgedMethods(const std::vector<std::string>& modes) {
   }
   return methods;
 }
-
-// One sequence in memory: what is judged by, which is also what methods that see every frame run
-// on, and what methods that generate run on.
-struct LoadedSequence {
-  std::string name;
-  std::vector<std::string> notes;
-  Clip truth;
-  std::optional<Clip> sparse;
-
-  const Clip& ClipFor(const MethodInfo& method) const {
-    return Generates(method) ? *sparse : truth;
-  }
-};
-
-LoadedSequence LoadSequence(const JudgeArguments& arguments, const Pipeline& pipeline,
-                            const std::string& path, const MethodList& methods) {
-  const Sequence sequence = ReadSequenceFor(pipeline, path, methods);
-  const FrameRange range = ParseFrames(arguments.pipeline.frames, sequence);
-  MethodList dense, sparse;
-  for (const MethodInfo* method : methods) {
-    (Generates(*method) ? sparse : dense).push_back(method);
-  }
-  LoadedSequence loaded;
-  loaded.name = sequence.name + (arguments.pipeline.texels ? ", texels" : "");
-  loaded.notes = JudgingNotes(sequence, methods);
-  Streams truth = Streams::kNone;
-  for (const MethodInfo* method : methods) {
-    truth = truth | JudgingStreams(*method, AvailableStreams(sequence));
-  }
-  loaded.truth = pipeline.Load(sequence, range, dense, truth, 1);
-  if (!sparse.empty()) {
-    loaded.sparse = pipeline.Load(sequence, range, sparse, Streams::kNone, arguments.every);
-  }
-  WarnOfLimitedColor({&loaded.truth, loaded.sparse ? &*loaded.sparse : nullptr});
-  return loaded;
-}
-
-class JudgeOfSequences {
- public:
-  JudgeOfSequences(const JudgeArguments& arguments, MethodList methods)
-      : arguments_(arguments),
-        methods_(std::move(methods)),
-        pipeline_(arguments.pipeline),
-        pool_(arguments.pipeline.threads) {}
-
-  const std::string& filter_name() const { return pipeline_.filter_name(); }
-
-  SequenceReport Judge(const std::string& path) {
-    const LoadedSequence loaded = LoadSequence(arguments_, pipeline_, path, methods_);
-    SequenceReport report{.sequence = loaded.name, .methods = {}, .notes = loaded.notes};
-    Progress progress("judging " + loaded.name, static_cast<double>(methods_.size()), "methods");
-    for (const MethodInfo* method : methods_) {
-      SequenceJudge judge(loaded.truth, *method, arguments_.border, arguments_.settled);
-      Run(loaded, *method, [&](const ShownFrame& shown) { judge.Add(shown); });
-      report.methods.push_back(judge.Finish());
-      progress.Add(1);
-    }
-    if (!arguments_.pictures.empty()) WritePictures(loaded);
-    return report;
-  }
-
-  // One line for each picture that was written.
-  const std::vector<std::string>& pictures() const { return pictures_; }
-
- private:
-  void Run(const LoadedSequence& loaded, const MethodInfo& method, const ShownFrameSink& sink) {
-    const ModeRunOptions options =
-        pipeline_.Options(method, Generates(method) ? arguments_.every : 1);
-    const Clip& clip = loaded.ClipFor(method);
-    std::string why;
-    if (!options.IsValid(clip, &why)) throw Error(why);
-    RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
-      ThrowIfInterrupted("eval", "nothing was printed");
-      sink(shown);
-    });
-  }
-
-  void RunJudged(const LoadedSequence& loaded, const MethodInfo& method,
-                 const ShownFrameSink& sink) {
-    Run(loaded, method, [&](const ShownFrame& shown) {
-      if (IsJudged(method, shown)) sink(shown);
-    });
-  }
-
-  void WritePictures(const LoadedSequence& loaded) {
-    WindowChooser chooser(loaded.truth);
-    RunJudged(loaded, *methods_.front(), [&](const ShownFrame& shown) { chooser.Add(shown); });
-    SequencePictures pictures(loaded.truth, chooser.Windows());
-    for (const MethodInfo* method : methods_) {
-      RunJudged(loaded, *method,
-                [&](const ShownFrame& shown) { pictures.Add(method->name, shown); });
-    }
-    for (const std::string& line : pictures.Write(arguments_.pictures)) pictures_.push_back(line);
-  }
-
-  const JudgeArguments& arguments_;
-  const MethodList methods_;
-  const Pipeline pipeline_;
-  ThreadPool pool_;
-  std::vector<std::string> pictures_;
-};
 
 // The methods and targets, or a UsageError.
 struct CheckedArguments {
@@ -196,12 +90,24 @@ CommandOption AddSequenceOptions(Command eval, JudgeArguments* arguments) {
 }
 
 ExitCode RunJudge(const JudgeArguments& arguments) {
-  if (!arguments.pictures.empty()) RequireWritableFolder(arguments.pictures);
+  if (!arguments.pictures.empty() && Ranks::World().IsRoot()) {
+    RequireWritableFolder(arguments.pictures);
+  }
   const ThreadLimit limit(arguments.pipeline.threads);
   const CheckedArguments checked = AsUsage([&] { return Check(arguments); });
-  JudgeOfSequences judge(arguments, checked.methods);
-  std::vector<SequenceReport> reports;
-  for (const std::string& path : arguments.sequences) reports.push_back(judge.Judge(path));
+  const Pipeline pipeline(arguments.pipeline);
+  std::vector<Sequence> sequences;
+  for (const std::string& path : arguments.sequences) {
+    sequences.push_back(ReadSequenceFor(pipeline, path, checked.methods));
+  }
+  JudgedSequences judged = JudgeSequences({.methods = checked.methods,
+                                           .every = arguments.every,
+                                           .border = arguments.border,
+                                           .settled = arguments.settled,
+                                           .pictures = arguments.pictures,
+                                           .pipeline = arguments.pipeline},
+                                          pipeline, sequences);
+  std::vector<SequenceReport>& reports = judged.reports;
   std::vector<std::string> missed;
   for (const SequenceTarget& target : checked.targets) {
     for (std::string& sentence : MissedSequences(target, reports)) {
@@ -210,12 +116,12 @@ ExitCode RunJudge(const JudgeArguments& arguments) {
   }
 
   if (arguments.json) {
-    Json sequences = Json::array();
-    for (const SequenceReport& report : reports) sequences.push_back(ToJson(report));
-    PrintJson({{"filter", judge.filter_name()},
+    Json judged_sequences = Json::array();
+    for (const SequenceReport& report : reports) judged_sequences.push_back(ToJson(report));
+    PrintJson({{"filter", pipeline.filter_name()},
                {"texels", arguments.pipeline.texels},
-               {"sequences", sequences},
-               {"pictures", judge.pictures()},
+               {"sequences", judged_sequences},
+               {"pictures", judged.pictures},
                {"missed", missed}});
   } else {
     if (reports.size() > 1) reports.push_back(MeanReport(reports));
@@ -224,7 +130,7 @@ ExitCode RunJudge(const JudgeArguments& arguments) {
       Print((arguments.markdown ? ToMarkdown(table) : ToText(table)) + "\n");
       for (const std::string& note : report.notes) Print(note + "\n");
     }
-    for (const std::string& line : judge.pictures()) Print(line + "\n");
+    for (const std::string& line : judged.pictures) Print(line + "\n");
     for (const std::string& sentence : missed) Print("missed: " + sentence + "\n");
   }
   return missed.empty() ? ExitCode::kDone : ExitCode::kMissed;

@@ -19,6 +19,7 @@
 #include "tools/progress.h"
 #include "tools/thread_limit.h"
 #include "tools/warning.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -81,11 +82,31 @@ class Content {
 
   // `frames`: as on the command line.
   std::vector<ProfileClip> Load(const std::string& frames) const {
-    std::vector<ProfileClip> clips;
+    std::vector<FrameRange> ranges;
+    std::vector<double> work;
     for (const Sequence& sequence : sequences_) {
-      clips.push_back(LoadOne(sequence, ParseFrames(frames, sequence)));
+      ranges.push_back(ParseFrames(frames, sequence));
+      const double pixels = static_cast<double>(sequence.output.width) * sequence.output.height;
+      work.push_back(pixels * ranges.back().count);
+    }
+    const std::vector<int> owners = BalancedOwners(work, Ranks::World().count());
+    std::vector<ProfileClip> clips;
+    for (std::size_t i = 0; i < sequences_.size(); ++i) {
+      clips.push_back(LoadOne(sequences_[i], ranges[i], owners[i]));
     }
     return clips;
+  }
+
+  // All that decides the scores, beside the files' contents.
+  std::string Identity() const {
+    const PipelineArguments& a = arguments_.pipeline;
+    std::string text = fmt::format("{} {} {} {} {} {} {} {} {} {}", pipeline_.filter_name(),
+                                   a.lookup, a.params, a.frames, a.generated, a.motion_filter,
+                                   a.history, a.texels, every(), arguments_.within);
+    for (const float alpha : a.alphas) text += fmt::format(" {}", alpha);
+    text += method_.name;
+    for (const Sequence& sequence : sequences_) text += SequenceJson(sequence);
+    return text;
   }
 
   std::vector<ProfiledSequence> Names() const {
@@ -99,8 +120,12 @@ class Content {
   }
 
  private:
-  ProfileClip LoadOne(const Sequence& sequence, const FrameRange& range) const {
+  ProfileClip LoadOne(const Sequence& sequence, const FrameRange& range, int owner) const {
     ProfileClip clip;
+    clip.has_reference = HasReference(sequence);
+    clip.owner = owner;
+    const Ranks& ranks = Ranks::World();
+    if (ranks.rank() != owner && !ranks.IsRoot()) return clip;
     clip.input = pipeline_.Load(sequence, range, {&method_}, Streams::kNone, every(), true);
     if (method_.super_resolution) {
       // Without super resolution the rendered frames are shown, not the references.
@@ -108,8 +133,7 @@ class Content {
     }
     const Streams truth = AvailableStreams(sequence) & kTruthStreams;
     clip.truth = LoadClip(sequence, range.first, range.count, truth);
-    clip.has_reference = HasReference(sequence);
-    WarnOfLimitedColor({&clip.input, &clip.truth});
+    if (ranks.rank() == owner) WarnOfLimitedColor({&clip.input, &clip.truth});
     return clip;
   }
 
@@ -219,11 +243,14 @@ ExitCode RunProfile(ProfileArguments arguments) {
     return known;
   });
   const std::filesystem::path out = arguments.out;
-  RequireWritable(out);
+  Ranks& ranks = Ranks::World();
+  if (ranks.IsRoot()) RequireWritable(out);
   const ThreadLimit limit(arguments.pipeline.threads);
   const Pipeline pipeline(arguments.pipeline);
   const Content content(arguments, pipeline, *method);
+  ranks.RequireSame("the options or the sequences", content.Identity());
   const ProfileReport report = Profile(arguments, *method, pipeline, content);
+  if (!ranks.IsRoot()) return ExitCode::kDone;
   if (out.has_parent_path()) CreateFolder(out.parent_path());
   WriteFile(out, PipelineHeader(Banner(report),
                                 ConfigurationOf(report.result.chosen, content.encoding())));

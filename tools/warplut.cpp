@@ -19,7 +19,8 @@ namespace warplut {
 namespace {
 
 // The commands whose work ranks share.
-constexpr std::string_view kShared[] = {"train", "calibrate", "dataset"};
+constexpr std::string_view kShared[] = {"train", "calibrate", "dataset",
+                                        "judge", "profile",   "report"};
 
 // Prints "warplut: SENTENCE" on standard error, in one line that ends with a full stop. Text of a
 // file that is in it cannot control a terminal, nor fill it.
@@ -42,8 +43,8 @@ void RequireSharedWork(const std::string& command) {
   if (ranks.count() == 1) return;
   RequireUsage(std::find(std::begin(kShared), std::end(kShared), command) != std::end(kShared),
                "the command '" + command +
-                   "' runs on one rank; expected train, calibrate or dataset render, whose work "
-                   "ranks share");
+                   "' runs on one rank; expected train, calibrate, dataset render, judge, profile "
+                   "or report, whose work ranks share");
   ranks.RequireSame("the versions of the program or the instruction sets",
                     std::string(WARPLUT_VERSION) + " " + WarpTarget());
 }

@@ -60,8 +60,29 @@ class RanksOfTheProgram : public testing::Test {
             "4",       "--stages",   "2"};
   }
 
+  // "one" and "two", which differ.
+  void WriteTwoPans() const {
+    WritePan(folder_ / "one");
+    WritePan(folder_ / "two", {.frames = 5, .jitter = false});
+    for (const char* name : {"one", "two"}) {
+      const std::filesystem::path file = folder_ / name / "sequence.json";
+      nlohmann::ordered_json json = nlohmann::ordered_json::parse(ReadFile(file));
+      json["name"] = name;
+      WriteFile(file, json.dump());
+    }
+  }
+
   const TemporaryFolder folder_;
 };
+
+// Removes what is timed, at any depth.
+void EraseTimes(nlohmann::json& json, const std::vector<std::string>& names) {
+  if (json.is_object()) {
+    for (const std::string& name : names) json.erase(name);
+  }
+  if (!json.is_structured()) return;
+  for (auto& child : json) EraseTimes(child, names);
+}
 
 TEST_F(RanksOfTheProgram, TrainTheSameBits) {
   const std::string alone = folder_ / "alone.json";
@@ -104,16 +125,7 @@ TEST_F(RanksOfTheProgram, GoOnAfterOneDied) {
 }
 
 TEST_F(RanksOfTheProgram, CalibrateTheSameBits) {
-  WritePan(folder_ / "one");
-  WritePan(folder_ / "two", {.jitter = false});
-  const auto rename = [&](const std::string& name) {
-    const std::filesystem::path file = folder_ / name / "sequence.json";
-    nlohmann::ordered_json json = nlohmann::ordered_json::parse(ReadFile(file));
-    json["name"] = name;
-    WriteFile(file, json.dump());
-  };
-  rename("one");
-  rename("two");
+  WriteTwoPans();
   const auto calibrate = [&](const std::string& out) -> std::vector<std::string> {
     return {"calibrate", "--sequence", folder_ / "one", folder_ / "two", "--modes",
             "sr,i",      "--filter",   "catmull-rom",   "--out",         out,
@@ -129,6 +141,71 @@ TEST_F(RanksOfTheProgram, CalibrateTheSameBits) {
   a["calibration"].erase("seconds");
   b["calibration"].erase("seconds");
   EXPECT_EQ(a["calibration"], b["calibration"]);
+}
+
+// Of two sequences and four methods a rank has some methods of one or both.
+TEST_F(RanksOfTheProgram, JudgeTheSameBits) {
+  WriteTwoPans();
+  const std::vector<std::string> judge = {
+      "judge",      "--sequence",         folder_ / "one", folder_ / "two", "--modes",
+      "sr,i",       "--filter",           "bilinear",      "--settled",     "1",
+      "--pictures", folder_ / "pictures", "--json"};
+  const ProgramResult alone = RunWarplut(judge);
+  ASSERT_EQ(alone.code, 0) << alone.err;
+  auto expected = nlohmann::json::parse(alone.out);
+  EraseTimes(expected, {"milliseconds"});
+  for (const int ranks : {2, 3}) {
+    const ProgramResult shared = RunOnRanks(ranks, judge);
+    ASSERT_EQ(shared.code, 0) << shared.err;
+    auto json = nlohmann::json::parse(shared.out);
+    EraseTimes(json, {"milliseconds"});
+    EXPECT_EQ(json, expected) << ranks;
+  }
+}
+
+// The times decide which passes are taken together; the scores of each alone and of all tables are
+// the same.
+TEST_F(RanksOfTheProgram, ProfileTheSameScores) {
+  WriteTwoPans();
+  const auto profile = [&](const std::string& out) -> std::vector<std::string> {
+    return {"profile",  "--sequence", folder_ / "one", folder_ / "two", "--mode", "sr",
+            "--filter", "bilinear",   "--out",         folder_ / out,   "--json"};
+  };
+  const ProgramResult alone = RunWarplut(profile("alone.h"));
+  ASSERT_EQ(alone.code, 0) << alone.err;
+  auto expected = nlohmann::json::parse(alone.out);
+  for (const int ranks : {2, 3}) {
+    const ProgramResult shared = RunOnRanks(ranks, profile("shared.h"));
+    ASSERT_EQ(shared.code, 0) << shared.err;
+    auto json = nlohmann::json::parse(shared.out);
+    for (const char* part : {"alone", "shipped", "sequences"}) {
+      ASSERT_TRUE(expected.contains(part)) << part;
+      EraseTimes(json[part], {"time", "chosen"});
+      EraseTimes(expected[part], {"time", "chosen"});
+      EXPECT_EQ(json[part], expected[part]) << ranks << " " << part;
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "shared.h"));
+  }
+}
+
+// The report's studies compare with what one rank computes.
+TEST_F(RanksOfTheProgram, StudyTrainersTogether) {
+  const ProgramResult studied =
+      RunShellOnRanks(2, std::filesystem::read_symlink("/proc/self/exe").string() +
+                             " --gtest_filter=StudyTrainers.*");
+  EXPECT_EQ(studied.code, 0) << studied.out;
+}
+
+TEST_F(RanksOfTheProgram, ReportOnOnePage) {
+  WriteTwoPans();
+  const ProgramResult report =
+      RunOnRanks(2, {"report", "--out", folder_ / "report", "--quick", "--sequence",
+                     folder_ / "one", folder_ / "two", "--sections", "hardware", "--json"});
+  if (report.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << report.err;
+  ASSERT_EQ(report.code, 0) << report.err;
+  const auto json = nlohmann::json::parse(report.out);
+  EXPECT_EQ(json["parts"].size(), 2U);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "report/index.html"));
 }
 
 TEST_F(RanksOfTheProgram, RenderTheSameFiles) {
@@ -166,6 +243,15 @@ TEST_F(RanksOfTheProgram, StartByTheScripts) {
     const ProgramResult result = RunProgram("/bin/sh", {"-c", setup + script + " dataset scenes"});
     EXPECT_EQ(result.code, 0) << script << ": " << result.err;
     EXPECT_EQ(result.out, expected) << script;
+  }
+}
+
+TEST_F(RanksOfTheProgram, TellTheirTimesIfAsked) {
+  const ProgramResult result =
+      RunShellOnRanks(2, "-x WARPLUT_RANK_TIMES=1 " WARPLUT_PROGRAM " dataset scenes");
+  EXPECT_EQ(result.code, 0) << result.err;
+  for (const char* piece : {"rank 0: ", "rank 1: ", " 0 exchanges, 0 bytes"}) {
+    EXPECT_THAT(result.err, HasSubstr(piece));
   }
 }
 

@@ -31,7 +31,53 @@ double MeanMilliseconds(const std::vector<double>& seconds) {
          static_cast<double>(seconds.end() - begin);
 }
 
+std::string FrameName(int number) { return fmt::format("{:04}", number); }
+
+// Completes what follows from the frames: their mean, and without the first `left_out`, if there
+// are any, that of the others.
+void AddMeans(std::size_t left_out, double settled_temporal_error, SequenceScores& scores) {
+  scores.mean = MeanScore(scores.frames);
+  if (left_out == 0) return;
+  const auto first = scores.frames.begin() + static_cast<std::ptrdiff_t>(left_out);
+  scores.settled = {.left_out = static_cast<int>(left_out),
+                    .mean = MeanScore({first, scores.frames.end()}),
+                    .temporal_error = settled_temporal_error};
+}
+
 }  // namespace
+
+std::vector<double> ToNumbers(const SequenceScores& scores) {
+  const SettledScores settled = scores.settled.value_or(SettledScores{});
+  std::vector<double> numbers = {scores.temporal_error, scores.milliseconds,
+                                 static_cast<double>(settled.left_out), settled.temporal_error};
+  for (std::size_t i = 0; i < scores.frames.size(); ++i) {
+    const FrameScore& frame = scores.frames[i];
+    numbers.insert(numbers.end(), {std::stod(frame.name), frame.mean_squared_error, frame.psnr,
+                                   frame.ssim, scores.temporal[i]});
+  }
+  return numbers;
+}
+
+SequenceScores FromNumbers(const std::string& method, const std::vector<double>& numbers) {
+  SequenceScores scores;
+  scores.method = method;
+  std::size_t at = 0;
+  const auto next = [&] { return numbers.at(at++); };
+  scores.temporal_error = next();
+  scores.milliseconds = next();
+  const auto left_out = static_cast<std::size_t>(next());
+  const double settled_temporal_error = next();
+  while (at < numbers.size()) {
+    FrameScore& frame = scores.frames.emplace_back();
+    frame.name = FrameName(static_cast<int>(next()));
+    frame.mean_squared_error = next();
+    frame.psnr = next();
+    frame.ssim = next();
+    scores.temporal.push_back(next());
+  }
+  AddMeans(left_out, settled_temporal_error, scores);
+  return scores;
+}
 
 FrameGeometry ReferenceGeometry(const ClipFrame& frame) {
   return {.depth = frame.reference_depth.view(), .motion = frame.reference_motion.view()};
@@ -102,8 +148,7 @@ void SequenceJudge::Add(const ShownFrame& shown) {
   const bool judged = IsJudged(method_, shown);
   const bool settled = scores_.frames.size() >= settled_;
   if (judged) {
-    scores_.frames.push_back(
-        CompareImages(fmt::format("{:04}", truth.number), image, reference, border_));
+    scores_.frames.push_back(CompareImages(FrameName(truth.number), image, reference, border_));
   }
   Image error = Difference(image, reference);
   TemporalErrorSum sum;
@@ -134,14 +179,8 @@ SequenceScores SequenceJudge::Finish() const {
         settled_, method_.name, scores_.frames.size(), truth_.name));
   }
   SequenceScores scores = scores_;
-  scores.mean = MeanScore(scores.frames);
   scores.temporal_error = temporal_.Rms();
-  if (settled_ > 0) {
-    const auto first = scores.frames.begin() + static_cast<std::ptrdiff_t>(settled_);
-    scores.settled = {.left_out = static_cast<int>(settled_),
-                      .mean = MeanScore({first, scores.frames.end()}),
-                      .temporal_error = settled_temporal_.Rms()};
-  }
+  AddMeans(settled_, settled_temporal_.Rms(), scores);
   scores.milliseconds = MeanMilliseconds(seconds_);
   return scores;
 }

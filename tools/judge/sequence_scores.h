@@ -38,6 +38,11 @@ struct SequenceScores {
   std::optional<SettledScores> settled;  // if it was asked for
 };
 
+// All of the scores but the method's name, as numbers that one rank sends to another, and back:
+// the same scores. Names of frames are their numbers.
+std::vector<double> ToNumbers(const SequenceScores& scores);
+SequenceScores FromNumbers(const std::string& method, const std::vector<double>& numbers);
+
 FrameGeometry ReferenceGeometry(const ClipFrame& frame);
 
 // A shown image as it is judged: R, G, B as a display shows them (train/metrics/displayed_color.h).

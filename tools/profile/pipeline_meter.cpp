@@ -2,6 +2,7 @@
 
 #include "tools/bench/timed_executor.h"
 #include "tools/bench/timing.h"
+#include "train/ranks/ranks.h"
 #include "train/replay/image_views.h"
 
 namespace warplut {
@@ -21,7 +22,7 @@ PipelineMeter::PipelineMeter(std::vector<ProfileClip> clips, const ProfiledPipel
 
 void PipelineMeter::UseOutputAsReference(const ProfiledPipeline& full) {
   for (ProfileClip& clip : clips_) {
-    if (clip.has_reference) continue;
+    if (clip.has_reference || !clip.IsLoaded()) continue;
     Run(full, clip, [&](const ShownFrame& shown) {
       if (shown.frame < 0) return;
       ImageBuffer& reference = clip.truth.frames[static_cast<std::size_t>(shown.frame)].reference;
@@ -39,12 +40,28 @@ void PipelineMeter::Run(const ProfiledPipeline& pipeline, const ProfileClip& cli
   });
 }
 
-std::vector<PipelineScore> PipelineMeter::Judge(const ProfiledPipeline& pipeline) {
-  std::vector<PipelineScore> scores;
+std::vector<std::vector<double>> PipelineMeter::OfEach(
+    const std::function<std::vector<double>(const ProfileClip&)>& numbers_of) {
+  Ranks& ranks = Ranks::World();
+  std::vector<int> owners;
+  std::vector<std::vector<double>> numbers;
   for (const ProfileClip& clip : clips_) {
+    owners.push_back(clip.owner);
+    numbers.push_back(clip.owner == ranks.rank() ? numbers_of(clip) : std::vector<double>());
+  }
+  ranks.Exchange(owners, numbers);
+  return numbers;
+}
+
+std::vector<PipelineScore> PipelineMeter::Judge(const ProfiledPipeline& pipeline) {
+  const auto numbers = OfEach([&](const ProfileClip& clip) {
     SequenceJudge judge(clip.truth, *pipeline.method);
     Run(pipeline, clip, [&](const ShownFrame& shown) { judge.Add(shown); });
-    const SequenceScores finished = judge.Finish();
+    return ToNumbers(judge.Finish());
+  });
+  std::vector<PipelineScore> scores;
+  for (const std::vector<double>& one : numbers) {
+    const SequenceScores finished = FromNumbers(pipeline.method->name, one);
     scores.push_back({.mean = finished.mean, .temporal_error = finished.temporal_error});
   }
   return scores;
@@ -67,13 +84,16 @@ double PipelineMeter::TimeOnce(const ProfiledPipeline& pipeline, const Clip& cli
 std::vector<std::vector<double>> PipelineMeter::Time(
     std::span<const ProfiledPipeline* const> pipelines, int passes) {
   std::vector<std::vector<double>> times(pipelines.size());
-  for (int pass = 0; pass < passes; ++pass) {
+  Ranks& ranks = Ranks::World();
+  for (int pass = 0; ranks.IsRoot() && pass < passes; ++pass) {
     for (std::size_t i = 0; i < pipelines.size(); ++i) {
       double sum = 0;
       for (const ProfileClip& clip : clips_) sum += TimeOnce(*pipelines[i], clip.input);
       times[i].push_back(sum / static_cast<double>(clips_.size()));
     }
   }
+  ranks.WaitForRoot();
+  ranks.Exchange(std::vector<int>(times.size(), 0), times);
   return times;
 }
 

@@ -12,7 +12,8 @@
 
 namespace warplut {
 
-// One sequence in memory.
+// One sequence in memory. Its frames are loaded on its owner, which judges it, and on the root,
+// which measures times; elsewhere they are missing.
 struct ProfileClip {
   Clip input;  // what pipelines run on
   // What they are judged by: streams of the output grid, motion from frame to frame. Without
@@ -20,6 +21,9 @@ struct ProfileClip {
   // motion.
   Clip truth;
   bool has_reference = true;
+  int owner = 0;  // the rank that judges it
+
+  bool IsLoaded() const { return !input.frames.empty(); }
 };
 
 // Judged frames of one clip.
@@ -37,6 +41,8 @@ struct TimeRatio {
 // at least 1, of positive times.
 TimeRatio RatioOf(const std::vector<double>& times, const std::vector<double>& to);
 
+// Shares its work among Ranks::World(): the constructor, Judge, OfEach and Time are collective
+// calls, and every rank receives what they return.
 class PipelineMeter {
  public:
   // `full`: what clips without references take them from. `options`: times and format of shown
@@ -48,17 +54,21 @@ class PipelineMeter {
   // One run over one of the clips.
   void Run(const ProfiledPipeline& pipeline, const ProfileClip& clip, const ShownFrameSink& sink);
 
-  // Of each clip. An Error if a clip does not fit, or no frame of it can be judged.
+  // Of each clip, by its owner: the same for any number of ranks. An Error if a clip does not fit,
+  // or no frame of it can be judged.
   std::vector<PipelineScore> Judge(const ProfiledPipeline& pipeline);
 
   // Milliseconds of processor time that the passes of each pipeline take for a frame that it makes,
-  // mean over the clips: [pipeline][pass]. One thread; the pipelines take turns, so that what
-  // disturbs one pass disturbs all of them alike. The first frame that a run makes does not count
-  // if there are more, and neither does what lies outside of the passes' bands.
+  // mean over the clips: [pipeline][pass]. One thread of the root, while the other ranks rest; the
+  // pipelines take turns, so that what disturbs one pass disturbs all of them alike. The first
+  // frame that a run makes does not count if there are more, and neither does what lies outside of
+  // the passes' bands.
   std::vector<std::vector<double>> Time(std::span<const ProfiledPipeline* const> pipelines,
                                         int passes);
 
-  const std::vector<ProfileClip>& clips() const { return clips_; }
+  // numbers_of(clip) of each clip, by its owner.
+  std::vector<std::vector<double>> OfEach(
+      const std::function<std::vector<double>(const ProfileClip&)>& numbers_of);
 
  private:
   void UseOutputAsReference(const ProfiledPipeline& full);

@@ -28,6 +28,7 @@
 #include "tools/report/trainer/trainer_section.h"
 #include "tools/thread_limit.h"
 #include "tools/warning.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -36,7 +37,7 @@ constexpr ReportSectionInfo kSections[] = {
     {"kernels", 120, 30, KernelsSection},
     {"pipelines", 100, 25, PipelinesSection},
     {"budget", 60, 10, BudgetSection},
-    {"trainers", 300, 25, TrainerSection},
+    {"trainers", 300, 25, TrainerSection, true},
     {"calibration", 120, 15, CalibrationSection},
     {"growth", 50, 10, GrowthSection},
     {"stability", 120, 20, StabilitySection},
@@ -105,7 +106,7 @@ ReportInputs LoadInputs(const ReportOptions& options) {
   for (const std::string& path : options.sequences) {
     StopIfInterrupted();
     AddSequence(path, options.quick, &inputs.clips, &inputs.larger_clips);
-    WarnOfLimitedColor({&inputs.clips.back().dense});
+    if (Ranks::World().IsRoot()) WarnOfLimitedColor({&inputs.clips.back().dense});
   }
   return inputs;
 }
@@ -149,6 +150,34 @@ PageHead MakeHead(const ReportOptions& options, const ReportInputs& inputs,
   return head;
 }
 
+// The section, made by all ranks or by the root; then it is empty on the others, which rest.
+ReportSection Make(const ReportSectionInfo& info, const ReportInputs& inputs) {
+  Ranks& ranks = Ranks::World();
+  if (info.shared) return info.make(inputs);
+  if (!ranks.IsRoot()) {
+    ranks.WaitForRoot();
+    return {.id = info.id, .title = {}};
+  }
+  ReportSection section;
+  std::exception_ptr failure;
+  try {
+    const AloneOnRank alone;
+    section = info.make(inputs);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  ranks.WaitForRoot();
+  if (failure) std::rethrow_exception(failure);
+  return section;
+}
+
+// All that decides what is made.
+std::string Identity(const ReportOptions& options) {
+  return fmt::format("{} {} {} {} {} {}", options.folder.string(), options.quick, options.lut,
+                     options.seed, fmt::join(options.sequences, " "),
+                     fmt::join(options.sections, " "));
+}
+
 }  // namespace
 
 std::span<const ReportSectionInfo> ReportSections() { return kSections; }
@@ -174,11 +203,15 @@ bool ReportOptions::IsValid(std::string* why) const {
 ReportOutcome MakeReport(const ReportOptions& options) {
   std::string why;
   if (!options.IsValid(&why)) throw Error(why);
-  RequireWritableFolder(options.folder);
-  RequireGnuplot();
+  Ranks& ranks = Ranks::World();
+  if (ranks.IsRoot()) {
+    RequireWritableFolder(options.folder);
+    RequireGnuplot();
+    CreateFolder(options.folder);
+  }
+  ranks.RequireSame("the options", Identity(options));
   const SectionTime whole(0);
   const ThreadLimit limit(options.threads);
-  CreateFolder(options.folder);
   ReportInputs inputs = LoadInputs(options);
   ReportOutcome outcome;
   outcome.parts.push_back({.id = "sequences", .seconds = whole.Spent()});
@@ -199,9 +232,10 @@ ReportOutcome MakeReport(const ReportOptions& options) {
     ReportOutcome::Part part{.id = info.id};
     try {
       inputs.progress(0, "");
-      sections.push_back(info.make(inputs));
+      sections.push_back(Make(info, inputs));
     } catch (const std::exception& failure) {
       StopIfInterrupted();
+      if (info.shared && ranks.count() > 1) throw;  // the other ranks wait for this one
       part.failure = failure.what();
       sections.push_back(FailedSection(info.id, failure.what()));
     }
@@ -214,6 +248,7 @@ ReportOutcome MakeReport(const ReportOptions& options) {
     outcome.parts.push_back(std::move(part));
   }
   outcome.seconds = whole.Spent();
+  if (!ranks.IsRoot()) return outcome;
   WriteReport(options.folder, MakeHead(options, inputs, outcome), std::move(sections),
               StopIfInterrupted);
   return outcome;

@@ -16,6 +16,7 @@ struct ReportSectionInfo {
   const char* id;
   double seconds, quick_seconds;  // of wall time that it has
   ReportSection (*make)(const ReportInputs& inputs);
+  bool shared = false;  // all ranks make it together; else the root does, while the others rest
 };
 
 // In the order of the page.
@@ -45,6 +46,9 @@ struct ReportOutcome {
   double seconds = 0;
 };
 
+// A collective call of Ranks::World(): ranks share the frames that are rendered and the sections
+// that are `shared`; all that is timed by the clock is made by the root, which alone writes and
+// tells.
 // Makes the sections and writes them (report_files.h) into the folder, with the scenes that it
 // renders and the fits that ship beside them. A section that fails is told on the page, and the
 // rest goes on. An Error if gnuplot is missing, the inputs cannot be had, a file cannot be written,

@@ -6,6 +6,7 @@
 #include "datasets/file.h"
 #include "luts/bake/table_io.h"
 #include "tools/report/page/embedded.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -13,7 +14,9 @@ namespace {
 ReportLut LoadShipped(const std::filesystem::path& folder, std::string_view text) {
   const std::string name = nlohmann::json::parse(text).at("name");
   const std::filesystem::path path = folder / (name + ".json");
-  WriteFile(path, text);
+  Ranks& ranks = Ranks::World();
+  if (ranks.IsRoot()) WriteFile(path, text);
+  ranks.Meet();
   return LoadReportLut(path);
 }
 

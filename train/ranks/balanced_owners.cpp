@@ -20,4 +20,16 @@ std::vector<int> BalancedOwners(std::span<const double> work, int ranks) {
   return owners;
 }
 
+std::vector<int> ContiguousOwners(std::span<const double> work, int ranks) {
+  const double total = std::accumulate(work.begin(), work.end(), 0.0);
+  std::vector<int> owners;
+  double before = 0;
+  for (const double piece : work) {
+    const double middle = (before + piece / 2) / total;
+    owners.push_back(std::min(ranks - 1, static_cast<int>(middle * ranks)));
+    before += piece;
+  }
+  return owners;
+}
+
 }  // namespace warplut

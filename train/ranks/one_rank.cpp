@@ -29,6 +29,7 @@ Ranks& Ranks::World() {
 const Ranks* Ranks::Started() { return started; }
 
 void Ranks::Meet() {}
+void Ranks::WaitForRoot() {}
 bool Ranks::Any(bool here) { return here; }
 double Ranks::OfRoot(double value) { return value; }
 void Ranks::Exchange(std::span<const int>, std::vector<std::vector<double>>&) {}

@@ -4,6 +4,9 @@
 // computed is exchanged, and every rank adds it up in the same order, so that all of them come to
 // the bits that one rank alone comes to. The root writes files and prints; the others do not.
 //
+// With WARPLUT_RANK_TIMES in the environment each rank of a build with MPI tells at its end, on
+// standard error, its processor time and its exchanges.
+//
 // All calls are for the main thread. Collective calls wait for the other ranks: each rank makes
 // them in the same order.
 #pragma once
@@ -29,6 +32,10 @@ class Ranks {
   // Collective: waits until every rank is here.
   void Meet();
 
+  // Collective: waits until the root is here, without work for the processor, so that what the root
+  // measures meanwhile is not disturbed.
+  void WaitForRoot();
+
   // Collective: whether any rank says so.
   bool Any(bool here);
 
@@ -50,6 +57,7 @@ class Ranks {
   Ranks& operator=(const Ranks&) = delete;
 
  private:
+  friend class AloneOnRank;
   Ranks();
   ~Ranks();
 
@@ -57,8 +65,28 @@ class Ranks {
   int count_ = 1;
 };
 
+// While it lives, World() is this rank alone, its root: no call waits, and nothing is exchanged.
+// For a piece of work that one rank does and that would be shared otherwise. Made on the main
+// thread.
+class AloneOnRank {
+ public:
+  AloneOnRank();
+  ~AloneOnRank();
+  AloneOnRank(const AloneOnRank&) = delete;
+  AloneOnRank& operator=(const AloneOnRank&) = delete;
+
+ private:
+  int rank_, count_;  // as they were
+};
+
 // Owners of pieces of work, work[i] >= 0 each: the largest first, each to the rank that has least.
 // The same on every rank.
 std::vector<int> BalancedOwners(std::span<const double> work, int ranks);
+
+// Owners of pieces that lie in an order, work[i] > 0 each: neighbours have one owner as far as
+// shares of the work allow, so that what neighbours have in common is loaded by few. A piece goes
+// to the rank in whose share of the whole its middle lies: no share is larger than the mean by
+// more than one piece. The same on every rank.
+std::vector<int> ContiguousOwners(std::span<const double> work, int ranks);
 
 }  // namespace warplut

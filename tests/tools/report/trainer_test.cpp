@@ -11,6 +11,7 @@
 #include "tools/report/trainer/trainer_profile.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/noise_image.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -132,6 +133,12 @@ TEST(StudyTrainers, RunsEveryPairAndEndsWithTheSameLosses) {
   for (std::size_t i = 0; i < one.runs.size(); ++i) {
     EXPECT_EQ(one.runs[i].problem, two.runs[i].problem);
     EXPECT_EQ(one.runs[i].trace.back().loss, two.runs[i].trace.back().loss);
+    const AloneOnRank alone;
+    const auto [problem, trainer, seed, start, trace] = one.runs[i];
+    const std::vector<TracePoint> again = RunTrainer(*problems[problem], trainer, seed, 6);
+    EXPECT_EQ(trace.size(), again.size());
+    EXPECT_EQ(trace.back().loss, again.back().loss);
+    EXPECT_EQ(trace.back().evaluations, again.back().evaluations);
   }
 }
 

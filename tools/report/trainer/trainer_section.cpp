@@ -13,6 +13,7 @@
 #include "tools/report/trainer/trainer_profile.h"
 #include "train/fit/keys_search.h"
 #include "train/metrics/luma.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -313,7 +314,10 @@ ReportSection TrainerSection(const ReportInputs& inputs) {
     return section;
   }
   inputs.progress(0, "known optima");
-  const auto problems = MakeProblems(size.problems, contents);
+  const auto problems = [&] {
+    const AloneOnRank alone;  // each rank makes them all
+    return MakeProblems(size.problems, contents);
+  }();
   section.paragraphs = Paragraphs(size, problems.size());
   const TrainerStudy study = StudyTrainers(
       problems, {.seeds = size.seeds,

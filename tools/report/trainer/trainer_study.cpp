@@ -9,6 +9,7 @@
 #include <limits>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "tools/bench/timing.h"
 #include "tools/report/section_time.h"
@@ -16,6 +17,7 @@
 #include "train/fit/golden_section.h"
 #include "train/fit/keys_search.h"
 #include "train/fit/minimize.h"
+#include "train/ranks/ranks.h"
 
 namespace warplut {
 namespace {
@@ -56,6 +58,94 @@ class TracedFunction final : public ParameterFunction {
   ParameterFunction& function_;
   Trace& trace_;
 };
+
+// Runs the jobs first, first + stride, ... on this rank alone; problems would call on all ranks.
+void RunJobs(std::span<const std::unique_ptr<const TrainerProblem>> problems,
+             const TrainerStudyOptions& options, std::size_t first, std::size_t stride,
+             std::vector<std::vector<TrainerRun>>& results) {
+  const AloneOnRank alone;
+  const SectionTime time(options.seconds);
+  const std::size_t jobs = results.size();
+  std::atomic<std::size_t> next = first, done = 0;
+  std::mutex mutex;
+  std::exception_ptr thrown;
+  const auto report = [&] {
+    const std::lock_guard lock(mutex);
+    if (!thrown) options.progress(static_cast<double>(done * stride) / static_cast<double>(jobs));
+  };
+  const auto run_job = [&](std::size_t job) {
+    const std::size_t p = job % problems.size();
+    const std::uint64_t seed = 1 + job / problems.size();
+    const TrainerProblem& problem = *problems[p];
+    const double start = problem.Function()->Evaluate(problem.Start(seed).data(), nullptr);
+    for (const Trainer trainer : kTrainers) {
+      if (!Applies(trainer, problem)) continue;
+      results[job].push_back(
+          {p, trainer, seed, start, RunTrainer(problem, trainer, seed, options.evaluations)});
+      report();
+    }
+    ++done;
+  };
+  const auto work = [&] {
+    // One thread for each run, so that its processor time is all that the run took.
+    tbb::task_arena arena(1);
+    try {
+      for (std::size_t job = next.fetch_add(stride); job < jobs && !time.Lacks();
+           job = next.fetch_add(stride)) {
+        arena.execute([&] { run_job(job); });
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!thrown) thrown = std::current_exception();
+      next = jobs;
+    }
+  };
+  std::vector<std::thread> threads;
+  const int count = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  for (int i = 1; i < count; ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+// Completes the runs of the other ranks' jobs.
+void ExchangeRuns(std::size_t problems, std::vector<std::vector<TrainerRun>>& results) {
+  Ranks& ranks = Ranks::World();
+  if (ranks.count() == 1) return;
+  std::vector<int> owners;
+  std::vector<std::vector<double>> numbers(results.size());
+  for (std::size_t job = 0; job < results.size(); ++job) {
+    owners.push_back(static_cast<int>(job % static_cast<std::size_t>(ranks.count())));
+    for (const TrainerRun& run : results[job]) {
+      numbers[job].insert(numbers[job].end(), {static_cast<double>(run.trainer), run.start,
+                                               static_cast<double>(run.trace.size())});
+      for (const TracePoint& point : run.trace) {
+        numbers[job].insert(numbers[job].end(),
+                            {static_cast<double>(point.evaluations), point.seconds, point.loss});
+      }
+    }
+  }
+  ranks.Exchange(owners, numbers);
+  for (std::size_t job = 0; job < results.size(); ++job) {
+    results[job].clear();
+    std::size_t at = 0;
+    const auto next = [&] { return numbers[job].at(at++); };
+    while (at < numbers[job].size()) {
+      TrainerRun run{.problem = job % problems,
+                     .trainer = static_cast<Trainer>(static_cast<int>(next())),
+                     .seed = 1 + job / problems,
+                     .start = next(),
+                     .trace = {}};
+      for (auto points = static_cast<std::size_t>(next()); points > 0; --points) {
+        TracePoint& point = run.trace.emplace_back();
+        point.evaluations = static_cast<int>(next());
+        point.seconds = next();
+        point.loss = next();
+      }
+      results[job].push_back(std::move(run));
+    }
+  }
+}
 
 }  // namespace
 
@@ -105,49 +195,13 @@ std::vector<TracePoint> RunTrainer(const TrainerProblem& problem, Trainer traine
 
 TrainerStudy StudyTrainers(std::span<const std::unique_ptr<const TrainerProblem>> problems,
                            const TrainerStudyOptions& options) {
-  const SectionTime time(options.seconds);
+  Ranks& ranks = Ranks::World();
   const std::size_t jobs = problems.size() * static_cast<std::size_t>(options.seeds);
   std::vector<std::vector<TrainerRun>> results(jobs);
-  std::atomic<std::size_t> next = 0, done = 0;
-  std::mutex mutex;
-  std::exception_ptr thrown;
-  const auto report = [&] {
-    const std::lock_guard lock(mutex);
-    if (!thrown) options.progress(static_cast<double>(done) / static_cast<double>(jobs));
-  };
-  const auto run_job = [&](std::size_t job) {
-    const std::size_t p = job % problems.size();
-    const std::uint64_t seed = 1 + job / problems.size();
-    const TrainerProblem& problem = *problems[p];
-    const double start = problem.Function()->Evaluate(problem.Start(seed).data(), nullptr);
-    for (const Trainer trainer : kTrainers) {
-      if (!Applies(trainer, problem)) continue;
-      results[job].push_back(
-          {p, trainer, seed, start, RunTrainer(problem, trainer, seed, options.evaluations)});
-      report();
-    }
-    ++done;
-  };
-  const auto work = [&] {
-    // One thread for each run, so that its processor time is all that the run took.
-    tbb::task_arena arena(1);
-    try {
-      for (std::size_t job = next++; job < jobs && !time.Lacks(); job = next++) {
-        arena.execute([&] { run_job(job); });
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!thrown) thrown = std::current_exception();
-      next = jobs;
-    }
-  };
-  std::vector<std::thread> threads;
-  const int count = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
-  for (int i = 1; i < count; ++i) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  if (thrown) std::rethrow_exception(thrown);
-
+  const auto first = static_cast<std::size_t>(ranks.rank());
+  const auto stride = static_cast<std::size_t>(ranks.count());
+  RunJobs(problems, options, first, stride, results);
+  ExchangeRuns(problems.size(), results);
   TrainerStudy study;
   for (const auto& problem : problems) {
     study.best.push_back(problem->Optimum().value_or(std::numeric_limits<double>::infinity()));

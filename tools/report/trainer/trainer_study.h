@@ -74,7 +74,9 @@ struct TrainerStudy {
   int left_out = 0;          // pairs of problem and seed that there was no time for
 };
 
-// Every trainer on every problem it applies to.
+// Every trainer on every problem it applies to. A collective call of Ranks::World(): pairs of
+// problem and seed are shared, each rank runs its own on `threads` threads, and all receive the
+// same study.
 TrainerStudy StudyTrainers(std::span<const std::unique_ptr<const TrainerProblem>> problems,
                            const TrainerStudyOptions& options);
 

@@ -1,0 +1,176 @@
+#include "tools/judge/sequence_judging.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "datasets/error.h"
+#include "tools/interrupt.h"
+#include "tools/progress.h"
+#include "tools/pictures/sequence_pictures.h"
+#include "tools/warning.h"
+#include "train/ranks/ranks.h"
+#include "train/replay/judged_frames.h"
+
+namespace warplut {
+namespace {
+
+bool Generates(const MethodInfo& method) { return method.generation != Generation::kNone; }
+
+// One sequence in memory: what is judged by, which is also what methods that see every frame run
+// on, and what methods that generate run on.
+struct LoadedSequence {
+  Clip truth;
+  std::optional<Clip> sparse;
+
+  const Clip& ClipFor(const MethodInfo& method) const {
+    return Generates(method) ? *sparse : truth;
+  }
+};
+
+class SequenceJudging {
+ public:
+  SequenceJudging(const SequenceJudgingOptions& options, const Pipeline& pipeline,
+                  const std::vector<Sequence>& sequences)
+      : options_(options),
+        pipeline_(pipeline),
+        sequences_(sequences),
+        pool_(options.pipeline.threads) {
+    std::vector<double> work;
+    for (const Sequence& sequence : sequences) {
+      ranges_.push_back(ParseFrames(options.pipeline.frames, sequence));
+      const double pixels = static_cast<double>(sequence.output.width) * sequence.output.height;
+      work.insert(work.end(), options.methods.size(), pixels * ranges_.back().count);
+    }
+    owners_ = ContiguousOwners(work, ranks_.count());
+    ranks_.RequireSame("the options or the sequences", Identity());
+  }
+
+  JudgedSequences Judge() {
+    JudgedSequences judged;
+    std::vector<std::vector<double>> scores(owners_.size());
+    for (std::size_t s = 0; s < sequences_.size(); ++s) JudgeOwn(s, scores, judged.pictures);
+    ranks_.Exchange(owners_, scores);
+    for (std::size_t s = 0; s < sequences_.size(); ++s) {
+      SequenceReport& report = judged.reports.emplace_back();
+      report.sequence = sequences_[s].name + (options_.pipeline.texels ? ", texels" : "");
+      for (std::size_t m = 0; m < options_.methods.size(); ++m) {
+        report.methods.push_back(FromNumbers(options_.methods[m]->name, scores[Piece(s, m)]));
+      }
+      report.notes = JudgingNotes(sequences_[s], options_.methods);
+    }
+    return judged;
+  }
+
+ private:
+  std::size_t Piece(std::size_t sequence, std::size_t method) const {
+    return sequence * options_.methods.size() + method;
+  }
+
+  bool Owns(std::size_t sequence, std::size_t method) const {
+    return owners_[Piece(sequence, method)] == ranks_.rank();
+  }
+
+  // All that decides the scores, beside the files' contents.
+  std::string Identity() const {
+    const PipelineArguments& a = options_.pipeline;
+    std::string text = fmt::format("{} {} {} {} {} {} {} {} {}", pipeline_.filter_name(), a.lookup,
+                                   a.params, a.generated, a.motion_filter, a.history, a.texels,
+                                   options_.every, options_.border);
+    for (const float alpha : a.alphas) text += fmt::format(" {}", alpha);
+    for (const MethodInfo* method : options_.methods) text += fmt::format(" {}", method->name);
+    for (std::size_t s = 0; s < sequences_.size(); ++s) {
+      text +=
+          fmt::format(" {} {} {}", SequenceJson(sequences_[s]), ranges_[s].first, ranges_[s].count);
+    }
+    return text;
+  }
+
+  // The pieces of one sequence that this rank owns, and the pictures if it is the root.
+  void JudgeOwn(std::size_t s, std::vector<std::vector<double>>& scores,
+                std::vector<std::string>& pictures) {
+    std::vector<std::size_t> own;
+    for (std::size_t m = 0; m < options_.methods.size(); ++m) {
+      if (Owns(s, m)) own.push_back(m);
+    }
+    const bool draws = !options_.pictures.empty() && ranks_.IsRoot();
+    if (own.empty() && !draws) return;
+    const LoadedSequence loaded = Load(s);
+    Progress progress("judging " + sequences_[s].name, static_cast<double>(own.size()), "methods");
+    for (const std::size_t m : own) {
+      const MethodInfo& method = *options_.methods[m];
+      SequenceJudge judge(loaded.truth, method, options_.border, options_.settled);
+      Run(loaded, method, [&](const ShownFrame& shown) { judge.Add(shown); });
+      scores[Piece(s, m)] = ToNumbers(judge.Finish());
+      progress.Add(1);
+    }
+    if (!draws) return;
+    for (const std::string& line : WritePictures(loaded)) pictures.push_back(line);
+  }
+
+  LoadedSequence Load(std::size_t s) const {
+    const Sequence& sequence = sequences_[s];
+    std::vector<const MethodInfo*> dense, sparse;
+    Streams truth = Streams::kNone;
+    for (const MethodInfo* method : options_.methods) {
+      (Generates(*method) ? sparse : dense).push_back(method);
+      truth = truth | JudgingStreams(*method, AvailableStreams(sequence));
+    }
+    LoadedSequence loaded;
+    loaded.truth = pipeline_.Load(sequence, ranges_[s], dense, truth, 1);
+    if (!sparse.empty()) {
+      loaded.sparse = pipeline_.Load(sequence, ranges_[s], sparse, Streams::kNone, options_.every);
+    }
+    if (Owns(s, 0)) WarnOfLimitedColor({&loaded.truth, loaded.sparse ? &*loaded.sparse : nullptr});
+    return loaded;
+  }
+
+  void Run(const LoadedSequence& loaded, const MethodInfo& method, const ShownFrameSink& sink) {
+    const ModeRunOptions options =
+        pipeline_.Options(method, Generates(method) ? options_.every : 1);
+    const Clip& clip = loaded.ClipFor(method);
+    std::string why;
+    if (!options.IsValid(clip, &why)) throw Error(why);
+    RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
+      ThrowIfInterrupted("judging", "nothing was printed");
+      sink(shown);
+    });
+  }
+
+  void RunJudged(const LoadedSequence& loaded, const MethodInfo& method,
+                 const ShownFrameSink& sink) {
+    Run(loaded, method, [&](const ShownFrame& shown) {
+      if (IsJudged(method, shown)) sink(shown);
+    });
+  }
+
+  std::vector<std::string> WritePictures(const LoadedSequence& loaded) {
+    WindowChooser chooser(loaded.truth);
+    RunJudged(loaded, *options_.methods.front(),
+              [&](const ShownFrame& shown) { chooser.Add(shown); });
+    SequencePictures pictures(loaded.truth, chooser.Windows());
+    for (const MethodInfo* method : options_.methods) {
+      RunJudged(loaded, *method,
+                [&](const ShownFrame& shown) { pictures.Add(method->name, shown); });
+    }
+    return pictures.Write(options_.pictures);
+  }
+
+  const SequenceJudgingOptions& options_;
+  const Pipeline& pipeline_;
+  const std::vector<Sequence>& sequences_;
+  Ranks& ranks_ = Ranks::World();
+  ThreadPool pool_;
+  std::vector<FrameRange> ranges_;
+  std::vector<int> owners_;  // of each method on each sequence, sequence by sequence
+};
+
+}  // namespace
+
+JudgedSequences JudgeSequences(const SequenceJudgingOptions& options, const Pipeline& pipeline,
+                               const std::vector<Sequence>& sequences) {
+  return SequenceJudging(options, pipeline, sequences).Judge();
+}
+
+}  // namespace warplut
