@@ -21,6 +21,9 @@ bool FuzzTableExr(std::string_view bytes);    // table in the released layout
 bool FuzzPackedPng(std::string_view bytes);   // depth and motion, packed into RGBA8
 bool FuzzMotion(std::string_view bytes);      // .flo; else OpenEXR or PNG, as the bytes begin
 bool FuzzImage(std::string_view bytes);       // colour: OpenEXR or PNG, as the bytes begin
+// The command line, one argument a line, parsed alone: no command runs. Accepted if a command would
+// run. It needs the whole program and so is no part of kFuzzTargets.
+bool FuzzCommandLine(std::string_view bytes);
 
 struct FuzzTarget {
   const char* name;  // of its corpus and its program, fuzz_NAME
