@@ -17,8 +17,8 @@ GoldenHashes BakeHashes();
 GoldenHashes ModeHashes();
 // "training/OBJECTIVE/INSTRUCTION SET", on the best instruction set of this processor.
 GoldenHashes TrainingHashes();
-// "calibration/METHOD/INSTRUCTION SET": the best and the kept parameters with their losses, on the
-// best instruction set of this processor.
+// "calibration/METHOD/INSTRUCTION SET": the best and the kept parameters with their losses, on
+// AVX2, or the best instruction set of a processor without it.
 GoldenHashes CalibrationHashes();
 
 }  // namespace warplut

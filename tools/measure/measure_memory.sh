@@ -8,10 +8,10 @@ set -eu
 # shellcheck source=tools/measure/measuring.sh
 . "$(dirname "$0")/measuring.sh"
 table=$out/tables/memory.md
-limit=1M
-seconds=60 # of a search; each clip was loaded long before
+limit=512K
+seconds=10 # of a search; each clip was loaded before
 
-render_missing street "$out/small" --width 96 --height 54 --frames 4 --samples 2 \
+render_missing street "$out/small" --width 64 --height 36 --frames 2 --samples 2 \
   --streams color,depth,motion,reference
 # Clips that share their images and differ by name.
 copy() {

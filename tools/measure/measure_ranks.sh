@@ -47,10 +47,10 @@ row() {
   echo "| $name | $alone | $shared | $share |" >> "$table.part"
 }
 
-for scene in still courtyard street meadow machinery plaza; do
-  render_missing "$scene" "$out/scenes" --width 480 --height 270 --frames 8 --samples 16
-done
 if [ -z "$only" ]; then
+  for scene in still courtyard street meadow machinery plaza; do
+    render_missing "$scene" "$out/scenes" --width 480 --height 270 --frames 8 --samples 16
+  done
   echo "| work | 1 rank, 2 threads, s | 2 ranks, 1 thread each, s | share of the speed |" > "$table.part"
   echo "|---|---|---|---|" >> "$table.part"
   row "train, 2 stages of 20 iterations" train --data "$out/scenes" --name ranks --stages 2 \
@@ -62,9 +62,9 @@ if [ -z "$only" ]; then
   cat "$table"
 fi
 
-# times RANKS COMMAND...: the busiest rank's processor time without exchanges, the least of two
+# busiest RANKS COMMAND...: the busiest rank's processor time without exchanges, the least of two
 # runs, with the numbers of the other columns.
-times() {
+busiest() {
   ranks=$1
   shift
   : > "$out/rank.times"
@@ -80,21 +80,27 @@ times() {
 # number NAME: the number of that name in what the program printed.
 number() { sed -n "s/^ *\"$1\": *\([0-9]*\),*$/\1/p" "$out/model.out" | head -n 1; }
 
+# Clips of the model, small: what it finds is for pixels of any number.
+for scene in courtyard street plaza meadow; do
+  render_missing "$scene" "$out/small" --width 240 --height 136 --frames 8 --samples 4
+done
+
 # calibrations RANKS CLIPS FITTED
 calibrations() {
   ranks=$1 clips=$2 fitted=$3
   set --
   for scene in courtyard street plaza meadow; do
-    if [ $# -lt "$clips" ]; then set -- "$@" "$out/scenes/$scene"; fi
+    if [ $# -lt "$clips" ]; then set -- "$@" "$out/small/$scene"; fi
   done
-  line=$(times "$ranks" calibrate --sequence "$@" --modes sr --filter catmull-rom --starts 0 --fit "$fitted")
+  line=$(busiest "$ranks" calibrate --sequence "$@" --modes sr --filter catmull-rom --starts 0 --fit "$fitted")
   share=$(awk "BEGIN { print int(($clips + $ranks - 1) / $ranks) / $clips }")
   echo "calibrate $ranks $share $((8 * clips)) $(number runs) $line" >> "$out/model.runs"
 }
 
 # trainings RANKS ITERATIONS
 trainings() {
-  line=$(times "$1" train --data "$out/scenes" --name ranks --stages 1 --iterations "$2")
+  line=$(busiest "$1" train --data "$out/small" --name ranks --horizons 2,6 --crops 8 --stages 1 \
+    --iterations "$2")
   echo "train $1 $(awk "BEGIN { print 1 / $1 }") 0 $(number evaluations) $line" >> "$out/model.runs"
 }
 
