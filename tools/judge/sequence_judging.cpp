@@ -7,8 +7,8 @@
 
 #include "datasets/error.h"
 #include "tools/interrupt.h"
-#include "tools/progress.h"
 #include "tools/pictures/sequence_pictures.h"
+#include "tools/progress.h"
 #include "tools/warning.h"
 #include "train/ranks/ranks.h"
 #include "train/replay/judged_frames.h"
