@@ -18,6 +18,7 @@ function(warplut_runtime_library name)
     hdr_rows.cpp
     row_kernels.cpp
     splat_reference.cpp
+    surface_before_reference.cpp
     target_motion.cpp
     target_motion_reference.cpp)
   list(TRANSFORM generation PREPEND ${WARPLUT_ROOT}/runtime/generation/)

@@ -26,7 +26,11 @@ enum class MotionUpsampling : std::uint8_t {
 enum class CurrentFrame : std::uint8_t { kBilinear, kBicubic };
 
 // The path of a pixel between frames (runtime/frame_generation.h).
-enum class MotionModel : std::uint8_t { kLinear, kQuadratic };
+enum class MotionModel : std::uint8_t {
+  kLinear,       // at the speed between frames 0 and 1
+  kQuadratic,    // uniformly accelerated on the screen
+  kPerspective,  // uniformly accelerated in homogeneous coordinates, by depth
+};
 
 enum class DisocclusionFill : std::uint8_t {
   kOwnMotion,   // frame 1 at the motion that its own pixel there has (Mob-FGSR)
@@ -89,6 +93,8 @@ constexpr const char* Name(MotionModel value) {
       return "linear";
     case MotionModel::kQuadratic:
       return "quadratic";
+    case MotionModel::kPerspective:
+      return "perspective";
   }
   return "";
 }

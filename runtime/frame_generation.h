@@ -2,10 +2,11 @@
 // (extrapolation).
 //
 // p1 is a pixel of frame 1, m1 its motion (from frame 0 to 1), m0 the motion of frame 0 at p1 - m1
-// (from frame -1 to 0):
+// (from frame -1 to 0). MotionModel::kQuadratic has it
 //   interpolated, at time alpha:      p1 - m1 + alpha/2 (m1 + m0) + alpha^2/2 (m1 - m0)
 //   extrapolated, at time 1 + alpha:  p1 + alpha/2 (3 m1 - m0) + alpha^2/2 (m1 - m0)
-// and without m0 the linear p1 - (1 - alpha) m1 and p1 + alpha m1.
+// and kLinear p1 - (1 - alpha) m1 and p1 + alpha m1. kPerspective, the default, has the same curve
+// in homogeneous coordinates, with the depths at p1 and at p1 - m1.
 //
 // Passes (docs/GENERATION.md has formulas, buffers and limits):
 //   splat   writes the motion of every pixel of frame 1 to the nearest pixel of its new place. The
@@ -63,12 +64,13 @@ struct DisplayedFrame {
 // Defaults are those of kPipeline (runtime/pipeline.h) for choices that the build fixes.
 struct FrameGenerationOptions {
   int width = 0, height = 0;
-  MotionModel motion_model = kPipeline.generation.motion_model.value_or(MotionModel::kQuadratic);
+  MotionModel motion_model = kPipeline.generation.motion_model.value_or(MotionModel::kPerspective);
   // false: a pixel takes the motion of frame 1 at its own place, which is nearly right where little
   // moves. `refine` and `fill` then have no effect.
   bool splat = kPipeline.generation.splat.value_or(true);
   bool refine = kPipeline.generation.refine.value_or(true);
-  // The fill of extrapolation; interpolation takes kBackground.
+  // The fill of extrapolation; interpolation takes kBackground, or what frame 0 shows there
+  // (kPerspective).
   DisocclusionFill fill = kPipeline.generation.fill.value_or(DisocclusionFill::kOwnMotion);
   DepthMeasure depth = kPipeline.generation.depth.value_or(DepthMeasure::kRelative);
   // false: a linear blend wherever depth agrees.

@@ -143,6 +143,11 @@ constexpr void ConfigureRubberSheet(FrameGenerationOptions& options) {
   options.fill = DisocclusionFill::kNone;
 }
 
+constexpr void ConfigureGenerationQuadratic(FrameGenerationOptions& options) {
+  ConfigureGeneration(options);
+  options.motion_model = MotionModel::kQuadratic;
+}
+
 constexpr void ConfigureGenerationPaper(FrameGenerationOptions& options) {
   options.peer = nullptr;
   options.motion_model = MotionModel::kQuadratic;
@@ -247,6 +252,10 @@ constexpr MethodInfo kMethods[] = {
     Method<ConfigureSr, ConfigureGeneration, kExtrapolation>("esr", "sr, then e"),
     Method<ConfigureSrSample, nullptr, kNone>("sr-sample", "sr in the sample form"),
     Method<ConfigureSrResidual, nullptr, kNone>("sr-residual", "sr in the residual form"),
+    Method<nullptr, ConfigureGenerationQuadratic, kInterpolation>(
+        "i-quadratic", "i with motion that is quadratic on the screen"),
+    Method<nullptr, ConfigureGenerationQuadratic, kExtrapolation>(
+        "e-quadratic", "e with motion that is quadratic on the screen"),
     Method<ConfigureSrPaper, nullptr, kNone>("sr-paper", "sr as the paper has it", true),
     Method<nullptr, ConfigureGenerationPaper, kInterpolation>("i-paper", "i as the paper has it",
                                                               true),

@@ -264,7 +264,7 @@ inline void FrameGeneration::State::WarpHdr(const GenerationJob& job, const Imag
 inline void FrameGeneration::State::Generate(const DisplayedFrame& frame0,
                                              const DisplayedFrame& frame1, float alpha,
                                              bool interpolates, const MutableImageView& out) {
-  const bool motion0_counts = ModelOf(options) == MotionModel::kQuadratic && !frame0.cut;
+  const bool motion0_counts = ModelOf(options) != MotionModel::kLinear && !frame0.cut;
   GenerationJob job{options,      interpolates, alpha,         motion0_counts,
                     frame0.depth, frame1.depth, frame0.motion, frame1.motion};
   for (BandBuffers& worker : bands) worker.tiles = {};

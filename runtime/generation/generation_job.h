@@ -45,9 +45,16 @@ struct GenerationJob {
     return kPipeline.interpolation && (interpolates || !kPipeline.extrapolation);
   }
   bool CountsMotion0() const {
-    return warplut::Contains(kPipeline.generation.motion_model, MotionModel::kQuadratic) &&
+    return (warplut::Contains(kPipeline.generation.motion_model, MotionModel::kQuadratic) ||
+            warplut::Contains(kPipeline.generation.motion_model, MotionModel::kPerspective)) &&
            motion0_counts;
   }
+  // Whether the path is that of MotionModel::kPerspective; where frame 0 is a cut it is linear.
+  bool FollowsPerspective() const {
+    return CountsMotion0() && ModelOf(options) == MotionModel::kPerspective;
+  }
+  // From frame 0 on, in units of the time between frames 0 and 1.
+  float time() const { return Interpolates() ? alpha : 1.0f + alpha; }
 
   int width() const { return options.width; }
   int height() const { return options.height; }

@@ -8,6 +8,7 @@
 
 #include "runtime/generation/geometry-inl.h"
 #include "runtime/generation/motion_model.h"
+#include "runtime/generation/perspective-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace warplut::generation {
@@ -48,12 +49,21 @@ inline RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionV
   Frame0Pixels frame0;
   auto least = hn::Zero(d);
   auto most = hn::Zero(d);
+  const auto store = [&](int i, FloatMask moves, Floats dx, Floats dy) HWY_ATTR {
+    const auto nan = hn::Set(d, std::numeric_limits<float>::quiet_NaN());
+    hn::StoreInterleaved2(hn::IfThenElse(moves, dx, nan), hn::IfThenElse(moves, dy, nan), d,
+                          displaced + 2 * i);
+    const auto row = hn::IfThenElseZero(moves, dy);
+    least = hn::Min(least, row);
+    most = hn::Max(most, row);
+  };
   for (int x0 = 0; x0 < job.width(); x0 += kPixels) {
     const int count = std::min(kPixels, job.width() - x0);
     const float* motion =
         Padded(job.motion1.Row(y) + 2 * x0, 2 * count, 2 * kPixels, padded_motion);
     const float* depth = Padded(job.depth1.Row<float>(y) + x0, count, kPixels, padded_depth);
-    if (job.CountsMotion0()) {
+    const bool perspective = job.FollowsPerspective();
+    if (job.CountsMotion0() && !perspective) {
       for (int i = 0; i < kPixels; i += kLanes) {
         Floats mx, my;
         hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
@@ -68,6 +78,13 @@ inline RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionV
       Floats mx, my;
       hn::LoadInterleaved2(d, motion + 2 * i, mx, my);
       auto m0x = mx, m0y = my;
+      auto moves = hn::And(IsFiniteVector(mx), IsFiniteVector(my));
+      Floats dx, dy;
+      if (perspective) {
+        PerspectiveDisplacements(job, x0 + i, fy, mx, my, hn::LoadU(d, depth + i), dx, dy, moves);
+        store(i, moves, dx, dy);
+        continue;
+      }
       if (job.CountsMotion0()) {
         const auto gx = hn::Load(d, frame0.motion_x + i);
         const auto gy = hn::Load(d, frame0.motion_y + i);
@@ -80,14 +97,7 @@ inline RowRange ForwardRow(const GenerationJob& job, int y, const MutableMotionV
         m0x = hn::IfThenElse(counts, hn::Add(mx, hn::Mul(gate, hn::Sub(gx, mx))), mx);
         m0y = hn::IfThenElse(counts, hn::Add(my, hn::Mul(gate, hn::Sub(gy, my))), my);
       }
-      const auto nan = hn::Set(d, std::numeric_limits<float>::quiet_NaN());
-      const auto moves = hn::And(IsFiniteVector(mx), IsFiniteVector(my));
-      const auto dx = hn::IfThenElse(moves, factors.At(mx, m0x), nan);
-      const auto dy = hn::IfThenElse(moves, factors.At(my, m0y), nan);
-      hn::StoreInterleaved2(dx, dy, d, displaced + 2 * i);
-      const auto row = hn::IfThenElseZero(moves, dy);
-      least = hn::Min(least, row);
-      most = hn::Max(most, row);
+      store(i, moves, factors.At(mx, m0x), factors.At(my, m0y));
     }
     std::memcpy(forward.Row(y) + 2 * x0, displaced,
                 sizeof(float) * 2 * static_cast<std::size_t>(count));

@@ -2,15 +2,30 @@
 
 #include "runtime/generation/motion_model.h"
 #include "runtime/generation/splat.h"
+#include "runtime/generation/surface_before.h"
 
 namespace warplut::generation {
 
+namespace {
+
+constexpr Vector kNowhere = {std::numeric_limits<float>::quiet_NaN(),
+                             std::numeric_limits<float>::quiet_NaN()};
+
+Vector PerspectiveDisplacement(const GenerationJob& job, int x, int y, Vector m1) {
+  const SurfaceBefore before = FindSurfaceBefore(job, x, y, m1);
+  const PerspectivePath<float> path{job.time(), before.ratio};
+  if (!(path.Depth() >= kLeastDepthRatio)) return kNowhere;
+  const float gate = path.DepthBefore() > 0.0f ? before.gate : 0.0f;
+  return {path.Displacement(m1.x, before.motion.x, gate),
+          path.Displacement(m1.y, before.motion.y, gate)};
+}
+
+}  // namespace
+
 Vector ForwardDisplacement(const GenerationJob& job, int x, int y) {
   const Vector m1 = MotionAt(job.motion1, x, y);
-  if (!IsFinite(m1)) {
-    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-    return {kNan, kNan};
-  }
+  if (!IsFinite(m1)) return kNowhere;
+  if (job.FollowsPerspective()) return PerspectiveDisplacement(job, x, y, m1);
   Vector m0 = m1;
   const PixelIndex p0 = NearestPixel(job, x, y, {-m1.x, -m1.y});
   if (job.CountsMotion0() && p0.x >= 0 && IsFinite(MotionAt(job.motion0, p0.x, p0.y))) {

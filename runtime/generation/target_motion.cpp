@@ -1,3 +1,5 @@
+#include "runtime/generation/motion_model.h"
+#include "runtime/generation/surface_before.h"
 #include "runtime/generation/target_motion.h"
 
 namespace warplut::generation {
@@ -5,6 +7,10 @@ namespace {
 
 // How far the search for background goes, in pixels along each of the 8 directions.
 constexpr int kBackgroundReach = 64;
+
+// How a disocclusion is found in frame 0: steps, and how near the last one comes, in pixels.
+constexpr int kSearchSteps = 6;
+constexpr float kSearchClosure = 0.5f;
 
 // Steps of `direction` from p that stay in [0, size).
 int Reach(int p, int direction, int size) {
@@ -64,8 +70,8 @@ struct Finder {
     return true;
   }
 
-  // The motion of the farthest of the first arrivals in 8 directions; zero if there are none.
-  TargetMotion Background(int x, int y) const {
+  // The farthest of the first arrivals in 8 directions; kNoSplat if there are none.
+  SplatKey Background(int x, int y) const {
     constexpr int kDirections[8][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
                                        {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
     const SplatKey* const center = arrivals.keys.Row(y) + x;
@@ -81,12 +87,63 @@ struct Finder {
         break;
       }
     }
-    return farthest == kNoSplat ? TargetMotion{} : Arrived(farthest);
+    return farthest;
+  }
+
+  // A pixel of frame 0 that goes on as it moved: steadily in homogeneous coordinates, `loss` being
+  // the depth that it loses from frame to frame. From frame 0 to the generated frame, and to frame
+  // 1.
+  struct Steady {
+    Vector to_generated, to_frame1;
+  };
+  Steady GoOn(Vector m0, float z0, float loss) const {
+    const float before = z0 + loss;
+    return {job.alpha * before / (z0 - job.alpha * loss) * m0, before / (z0 - loss) * m0};
+  }
+
+  // What frame 0 shows of the disocclusion at (x, y), by the motion of frame 0 itself: p0 with
+  // p0 + GoOn(p0) = (x, y), by fixed-point steps from the motion of the background that arrived. Loss
+  // of depth and acceleration are those of the background.
+  bool FoundInFrame0(int x, int y, SplatKey background, TargetMotion* motion) const {
+    const auto width = static_cast<std::uint32_t>(job.width());
+    const int bx = static_cast<int>(SplatSource(background) % width);
+    const int by = static_cast<int>(SplatSource(background) / width);
+    const Vector m1 = MotionAt(job.motion1, bx, by);
+    const SurfaceBefore before = FindSurfaceBefore(job, bx, by, m1);
+    if (!(before.gate > 0.0f)) return false;
+    const float depth1 = DepthAt(job.depth1, bx, by);
+    const float loss = depth1 * (before.ratio - 1.0f);
+    const TargetMotion arrived = Arrived(background);
+    const Steady steady = GoOn(before.motion, depth1 * before.ratio, loss);
+    const Vector bend0 = arrived.from0 - steady.to_generated;
+    const Vector bend1 = m1 - steady.to_frame1;
+    Vector from0 = arrived.from0, whole = m1;
+    float off = 0;
+    for (int step = 0; step < kSearchSteps; ++step) {
+      const PixelIndex p0 = NearestPixel(job, x, y, {-from0.x, -from0.y});
+      if (p0.x < 0) return false;
+      const Vector m0 = MotionAt(job.motion0, p0.x, p0.y);
+      const float z0 = DepthAt(job.depth0, p0.x, p0.y);
+      if (!IsFinite(m0) || !(z0 > 2.0f * std::abs(loss))) return false;
+      const Steady here = GoOn(m0, z0, loss);
+      const Vector next = here.to_generated + bend0;
+      off = std::max(std::abs(next.x - from0.x), std::abs(next.y - from0.y));
+      from0 = next;
+      whole = here.to_frame1 + bend1;
+    }
+    if (!(off <= kSearchClosure)) return false;
+    *motion = {from0, from0 - whole};
+    return true;
   }
 
   TargetMotion Disocclusion(int x, int y) const {
     if (job.Interpolates() || FillOf(job.options) == DisocclusionFill::kBackground) {
-      return Background(x, y);
+      const SplatKey background = Background(x, y);
+      if (background == kNoSplat) return {};
+      TargetMotion motion;
+      const bool found = job.Interpolates() && job.FollowsPerspective() &&
+                         FoundInFrame0(x, y, background, &motion);
+      return found ? motion : Arrived(background);
     }
     const Vector own = MotionAt(arrivals.forward, x, y);
     const bool moves = FillOf(job.options) == DisocclusionFill::kOwnMotion && IsFinite(own);

@@ -171,6 +171,14 @@ bool DisocclusionFilling(Pipeline& pipeline) {
          Set(pipeline.generation.fill, DisocclusionFill::kNone);
 }
 
+bool PerspectiveMotion(Pipeline& pipeline) {
+  if (!pipeline.WarpsFrames() || pipeline.generation.motion_model != MotionModel::kPerspective) {
+    return false;
+  }
+  pipeline.generation.motion_model = MotionModel::kQuadratic;
+  return true;
+}
+
 bool QuadraticMotion(Pipeline& pipeline) {
   return pipeline.WarpsFrames() && Set(pipeline.generation.motion_model, MotionModel::kLinear);
 }
@@ -214,6 +222,8 @@ constexpr Omission kOmissions[] = {
     {"history-depth-gate", "history is not rejected by depth", SrDepthGate},
     {"half-float-history", "a history of 8 bits", HalfFloatHistory},
     {"bicubic-frame", "the current frame alone is interpolated bilinearly", BicubicFrame},
+    {"perspective-motion", "generated frames move by their motion on the screen, without depth",
+     PerspectiveMotion},
     {"quadratic-motion", "generated frames move linearly", QuadraticMotion},
     {"refinement", "gaps of the splatted motion count as disocclusions", Refinement},
     {"disocclusion-filling", "disocclusions of extrapolation show the frame as it is",

@@ -16,7 +16,7 @@ double CodeDifference(const TestImage& a, const TestImage& b) {
 }
 
 std::vector<FrameGenerationOptions> Variants(const TestFrame& frame) {
-  std::vector<FrameGenerationOptions> variants(10, OptionsFor(frame));
+  std::vector<FrameGenerationOptions> variants(13, OptionsFor(frame));
   variants[1].motion_model = MotionModel::kLinear;
   variants[2].refine = false;
   variants[3].fill = DisocclusionFill::kBackground;
@@ -27,6 +27,11 @@ std::vector<FrameGenerationOptions> Variants(const TestFrame& frame) {
   variants[8].brightness_gate = true;
   variants[8].gate_width = 0.5f;
   variants[9].splat = false;
+  for (std::size_t v = 10; v < variants.size(); ++v) {
+    variants[v].motion_model = MotionModel::kPerspective;
+  }
+  variants[11].depth = DepthMeasure::kNone;
+  variants[12].gate_width = 0.5f;
   return variants;
 }
 
@@ -135,7 +140,7 @@ TEST(Reference, MotionIsTheSameToTheBit) {
         const GenerationJob job{options,
                                 interpolates,
                                 0.3f,
-                                options.motion_model == MotionModel::kQuadratic,
+                                options.motion_model != MotionModel::kLinear,
                                 frame0.depth.view(),
                                 frame1.depth.view(),
                                 frame0.motion.view(),
