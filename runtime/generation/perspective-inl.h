@@ -68,15 +68,14 @@ HWY_INLINE SurfacesBefore FindSurfacesBefore(const GenerationJob& job, int x, fl
                          limited(hn::Sub(hn::Set(d, y), my), job.height()));
   auto anchor = hn::Set(d, kNoArrivalDepth);
   for (int k = 0; k < 4; ++k) {
-    const auto nearer = hn::Lt(hn::Abs(hn::Sub(taps.depth[k], depth1)),
-                               hn::Abs(hn::Sub(anchor, depth1)));
+    const auto nearer =
+        hn::Lt(hn::Abs(hn::Sub(taps.depth[k], depth1)), hn::Abs(hn::Sub(anchor, depth1)));
     const auto is_anchor = hn::And(hn::And(hn::Gt(taps.weight[k], zero), taps.counts[k]), nearer);
     anchor = hn::IfThenElse(is_anchor, taps.depth[k], anchor);
   }
   auto total = zero, inverse = zero, sum_x = zero, sum_y = zero;
   for (int k = 0; k < 4; ++k) {
-    const auto tolerance =
-        hn::Mul(hn::Set(d, kSurfaceTolerance), hn::Min(taps.depth[k], anchor));
+    const auto tolerance = hn::Mul(hn::Set(d, kSurfaceTolerance), hn::Min(taps.depth[k], anchor));
     const auto alike =
         hn::And(taps.counts[k], hn::Le(hn::Abs(hn::Sub(taps.depth[k], anchor)), tolerance));
     const auto weight = hn::IfThenElseZero(alike, taps.weight[k]);
@@ -91,15 +90,15 @@ HWY_INLINE SurfacesBefore FindSurfacesBefore(const GenerationJob& job, int x, fl
   const auto depth0 = hn::Min(hn::Div(total, inverse), hn::Set(d, kFarthestDepth));
   const auto difference = DepthDifferences(DepthOf(job.options), depth0, depth1);
   const auto gate = Gates(hn::Abs(difference), job.depth_threshold(), job.options.gate_width);
-  const auto found =
-      hn::And(inside, hn::And(hn::Gt(total, zero), hn::Gt(gate, zero)));
+  const auto found = hn::And(inside, hn::And(hn::Gt(total, zero), hn::Gt(gate, zero)));
   const auto ratio = hn::Div(depth0, hn::Max(depth1, hn::Set(d, kLeastSurfaceDepth)));
   return {hn::IfThenElse(found, hn::Mul(share, sum_x), mx),
           hn::IfThenElse(found, hn::Mul(share, sum_y), my), hn::IfThenElse(found, ratio, one),
           hn::IfThenElseZero(found, gate)};
 }
 
-// Displacements of pixels [x, x + kLanes) of row y; takes those that pass the camera from `moves`.
+// Displacements of pixels [x, x + kLanes) of row y; takes those that pass the camera, or end
+// nowhere finite, from `moves`.
 HWY_INLINE void PerspectiveDisplacements(const GenerationJob& job, int x, float y, Floats mx,
                                          Floats my, Floats depth1, Floats& dx, Floats& dy,
                                          FloatMask& moves) {
@@ -125,6 +124,7 @@ HWY_INLINE void PerspectiveDisplacements(const GenerationJob& job, int x, float 
   };
   dx = displacement(mx, before.motion_x);
   dy = displacement(my, before.motion_y);
+  moves = hn::And(moves, hn::And(IsFiniteVector(dx), IsFiniteVector(dy)));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -16,8 +16,9 @@ Vector PerspectiveDisplacement(const GenerationJob& job, int x, int y, Vector m1
   const PerspectivePath<float> path{job.time(), before.ratio};
   if (!(path.Depth() >= kLeastDepthRatio)) return kNowhere;
   const float gate = path.DepthBefore() > 0.0f ? before.gate : 0.0f;
-  return {path.Displacement(m1.x, before.motion.x, gate),
-          path.Displacement(m1.y, before.motion.y, gate)};
+  const Vector displacement = {path.Displacement(m1.x, before.motion.x, gate),
+                               path.Displacement(m1.y, before.motion.y, gate)};
+  return IsFinite(displacement) ? displacement : kNowhere;
 }
 
 }  // namespace

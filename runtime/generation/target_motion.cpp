@@ -1,6 +1,7 @@
+#include "runtime/generation/target_motion.h"
+
 #include "runtime/generation/motion_model.h"
 #include "runtime/generation/surface_before.h"
-#include "runtime/generation/target_motion.h"
 
 namespace warplut::generation {
 namespace {
@@ -113,6 +114,8 @@ struct Finder {
     if (!(before.gate > 0.0f)) return false;
     const float depth1 = DepthAt(job.depth1, bx, by);
     const float loss = depth1 * (before.ratio - 1.0f);
+    // All depths that are divided by are more than half of the depth of frame 0.
+    if (!(depth1 * before.ratio > 2.0f * std::abs(loss))) return false;
     const TargetMotion arrived = Arrived(background);
     const Steady steady = GoOn(before.motion, depth1 * before.ratio, loss);
     const Vector bend0 = arrived.from0 - steady.to_generated;

@@ -83,8 +83,10 @@ inline TestFrame RandomFrame(int width, int height, PixelFormat format, unsigned
   return frame;
 }
 
+// Options with quadratic motion, which reads single pixels; tests of the perspective model choose it.
 inline FrameGenerationOptions OptionsFor(const TestFrame& frame) {
   FrameGenerationOptions options;
+  options.motion_model = MotionModel::kQuadratic;
   options.width = frame.color.width();
   options.height = frame.color.height();
   return options;
