@@ -103,8 +103,8 @@ struct Finder {
   }
 
   // What frame 0 shows of the disocclusion at (x, y), by the motion of frame 0 itself: p0 with
-  // p0 + GoOn(p0) = (x, y), by fixed-point steps from the motion of the background that arrived. Loss
-  // of depth and acceleration are those of the background.
+  // p0 + GoOn(p0) = (x, y), by fixed-point steps from the motion of the background that arrived.
+  // Loss of depth and acceleration are those of the background.
   bool FoundInFrame0(int x, int y, SplatKey background, TargetMotion* motion) const {
     const auto width = static_cast<std::uint32_t>(job.width());
     const int bx = static_cast<int>(SplatSource(background) % width);

@@ -6,8 +6,8 @@
 //     nearest one, which must be nearer than itself;
 //   disocclusions, the others without an arrival: interpolation takes the motion of the farthest
 //     among the first arrivals in 8 directions, its background, extrapolation does as
-//     DisocclusionFill says. With the perspective model interpolation looks for the pixel of frame 0
-//     that arrives there as it goes on moving, and takes its motion.
+//     DisocclusionFill says. With the perspective model interpolation looks for the pixel of frame
+//     0 that arrives there as it goes on moving, and takes its motion.
 // "Alike" is |DepthDifference| <= T_D, whatever the gate width; pixels without an arrival are alike
 // to each other only. Pixels beyond the border are those on it.
 #pragma once

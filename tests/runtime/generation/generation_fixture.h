@@ -83,7 +83,8 @@ inline TestFrame RandomFrame(int width, int height, PixelFormat format, unsigned
   return frame;
 }
 
-// Options with quadratic motion, which reads single pixels; tests of the perspective model choose it.
+// Options with quadratic motion, which reads single pixels. Tests of the perspective model choose
+// theirs.
 inline FrameGenerationOptions OptionsFor(const TestFrame& frame) {
   FrameGenerationOptions options;
   options.motion_model = MotionModel::kQuadratic;
