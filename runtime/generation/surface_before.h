@@ -24,8 +24,9 @@ struct SurfaceBefore {
 // At p0 = p1 - m1, given that m1 is finite. Of the four pixels of frame 0 around p0 (those of the
 // border beyond it) count those whose motion is finite and whose depth is within kSurfaceTolerance
 // of the anchor's. The anchor is, of those with a weight, the one whose depth is nearest to z1, the
-// first of equals. m0 is bilinear among them, z0 in 1 / z, which is linear on the screen for a plane.
-// The gate is that of |DepthDifference| of z0 and z1. It is 0 where p0 is outside of the image.
+// first of equals. m0 is bilinear among them, z0 in 1 / z, which is linear on the screen for a
+// plane. The gate is that of |DepthDifference| of z0 and z1. It is 0 where p0 is outside of the
+// image.
 SurfaceBefore FindSurfaceBefore(const GenerationJob& job, int x, int y, Vector m1);
 
 }  // namespace warplut::generation
