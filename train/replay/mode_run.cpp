@@ -99,6 +99,8 @@ class ModeRun {
         options_(options),
         method_(*options.method),
         executor_(executor),
+        processor_(executor),
+        device_(options.device != nullptr ? *options.device : processor_),
         sink_(sink),
         alphas_(Alphas(options)) {
     if (method_.super_resolution) PrepareSuperResolution();
@@ -126,7 +128,8 @@ class ModeRun {
 
  private:
   void PrepareSuperResolution() {
-    super_resolution_.emplace(EffectiveSuperResolution(clip_, options_), executor_);
+    super_resolution_ =
+        device_.MakeSuperResolution(EffectiveSuperResolution(clip_, options_), Generates(method_));
     const bool linear = clip_.encoding == ColorEncoding::kLinearHdr;
     const PixelFormat format = linear && options_.shown_format == PixelFormat::kRgba8
                                    ? PixelFormat::kRgba16F
@@ -145,9 +148,6 @@ class ModeRun {
   }
 
   void PrepareGeneration() {
-    if (WarpsFrames(method_)) {
-      generation_.emplace(EffectiveGeneration(clip_, options_), executor_);
-    }
     const GridSize grid = ShownGrid(clip_, method_);
     const ClipFrame& first = clip_.frames.front();
     const PixelFormat format = method_.super_resolution ? displays_[0].color.view().format
@@ -159,6 +159,8 @@ class ModeRun {
       flat_depth_ = ImageBuffer(grid.width, grid.height, PixelFormat::kR32F);
     }
     generated_ = ImageBuffer(grid.width, grid.height, format);
+    if (!WarpsFrames(method_)) return;
+    generation_ = device_.MakeFrameGeneration(EffectiveGeneration(clip_, options_), format);
   }
 
   void Render(int index, Display& display) {
@@ -270,10 +272,12 @@ class ModeRun {
   const ModeRunOptions& options_;
   const MethodInfo& method_;
   Executor& executor_;
+  ProcessorDevice processor_;
+  ModeDevice& device_;
   const ShownFrameSink& sink_;
   const std::vector<float> alphas_;
-  std::optional<SuperResolution> super_resolution_;
-  std::optional<FrameGeneration> generation_;
+  std::unique_ptr<SuperResolutionPasses> super_resolution_;
+  std::unique_ptr<FrameGenerationPasses> generation_;
   std::optional<OpticalFlow> flow_;
   MotionBuffer flow_motion_;
   ImageBuffer flat_depth_;  // with optical flow

@@ -9,6 +9,7 @@
 #include "runtime/executor.h"
 #include "runtime/method.h"
 #include "train/replay/clip.h"
+#include "train/replay/mode_device.h"
 
 namespace warplut {
 
@@ -31,6 +32,7 @@ struct ModeRunOptions {
   FrameGenerationOptions generation;
   // Filters the motion of clips whose motion is quantised, whatever the templates say.
   bool filter_quantised_motion = false;
+  ModeDevice* device = nullptr;  // outlives the run; null: the processor, by the run's executor
 
   // Whether the method can run on this clip (its streams are there, sizes fit); otherwise *why says
   // what is missing.
