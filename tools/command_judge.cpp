@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "datasets/file.h"
+#include "tools/device.h"
 #include "tools/judge/sequence_judging.h"
 #include "tools/pipeline_options.h"
 #include "tools/thread_limit.h"
@@ -55,6 +56,7 @@ struct CheckedArguments {
 CheckedArguments Check(const JudgeArguments& arguments) {
   CheckedArguments checked;
   checked.methods = JudgedMethods(arguments.modes);
+  CheckDevice(arguments.device);
   CheckArguments(arguments.pipeline);
   for (const std::string& text : arguments.targets) {
     const SequenceTarget target = ParseSequenceTarget(text);
@@ -84,17 +86,19 @@ CommandOption AddSequenceOptions(Command eval, JudgeArguments* arguments) {
       .Within(0, 4096)
       .ShowDefault();
   AddSettledOption(eval, &a.settled).Needs(sequence);
+  AddDeviceOption(eval, &a.device).Needs(sequence);
   AddTableOptions(eval, &a.pipeline);
   AddPipelineOptions(eval, &a.pipeline);
   return sequence;
 }
 
 ExitCode RunJudge(const JudgeArguments& arguments) {
+  const ThreadLimit limit(arguments.pipeline.threads);
+  const CheckedArguments checked = AsUsage([&] { return Check(arguments); });
+  const std::unique_ptr<ModeDevice> device = OpenDevice(arguments.device);
   if (!arguments.pictures.empty() && Ranks::World().IsRoot()) {
     RequireWritableFolder(arguments.pictures);
   }
-  const ThreadLimit limit(arguments.pipeline.threads);
-  const CheckedArguments checked = AsUsage([&] { return Check(arguments); });
   const Pipeline pipeline(arguments.pipeline);
   std::vector<Sequence> sequences;
   for (const std::string& path : arguments.sequences) {
@@ -105,6 +109,7 @@ ExitCode RunJudge(const JudgeArguments& arguments) {
                                            .border = arguments.border,
                                            .settled = arguments.settled,
                                            .pictures = arguments.pictures,
+                                           .device = device.get(),
                                            .pipeline = arguments.pipeline},
                                           pipeline, sequences);
   std::vector<SequenceReport>& reports = judged.reports;

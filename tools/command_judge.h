@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/command.h"
+#include "tools/device.h"
 #include "tools/judge/sequence_scores.h"
 #include "tools/pipeline.h"
 
@@ -16,6 +17,7 @@ struct JudgeArguments {
   int every = 2;  // for methods that generate; the others see every frame
   int border = kScoreBorder;
   int settled = 0;  // judged frames that the settled means leave out; 0: there are none
+  std::string device = DeviceNames().front();
   PipelineArguments pipeline;
   std::vector<std::string> targets;
   std::string pictures;
@@ -23,8 +25,8 @@ struct JudgeArguments {
   bool json = false;
 };
 
-// Adds --sequence (returned), --modes, --every, --border, --settled and the options of tables and
-// pipelines.
+// Adds --sequence (returned), --modes, --every, --border, --settled, --device and the options of
+// tables and pipelines.
 CommandOption AddSequenceOptions(Command eval, JudgeArguments* arguments);
 
 ExitCode RunJudge(const JudgeArguments& arguments);

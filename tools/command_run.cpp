@@ -8,7 +8,7 @@
 
 #include "datasets/file.h"
 #include "tools/command.h"
-#include "tools/device_run.h"
+#include "tools/device.h"
 #include "tools/interrupt.h"
 #include "tools/judge/sequence_report.h"
 #include "tools/pictures/shown_file.h"
@@ -75,7 +75,7 @@ class Runner {
       : arguments_(arguments),
         methods_(AsUsage([&] {
           std::vector<const MethodInfo*> methods = MethodsOf(arguments.modes);
-          for (const MethodInfo* method : methods) CheckDevice(arguments.device, *method);
+          CheckDevice(arguments.device);
           CheckArguments(arguments.pipeline);
           return methods;
         })),
@@ -83,6 +83,7 @@ class Runner {
         sequence_(ReadSequenceFor(pipeline_, arguments.sequence, methods_)),
         format_(FormatOf(arguments, sequence_)),
         range_(ParseFrames(arguments.pipeline.frames, sequence_)),
+        device_(OpenDevice(arguments.device)),
         pool_(arguments.pipeline.threads) {}
 
   std::vector<ModeOutput> Run() {
@@ -101,7 +102,8 @@ class Runner {
 
  private:
   ModeOutput RunOne(const MethodInfo& method) {
-    const ModeRunOptions options = pipeline_.Options(method, arguments_.every);
+    ModeRunOptions options = pipeline_.Options(method, arguments_.every);
+    options.device = device_.get();
     const Clip clip = pipeline_.Load(sequence_, range_, {&method}, Streams::kNone, options.every);
     std::string why;
     if (!options.IsValid(clip, &why)) throw Error(why);
@@ -121,7 +123,7 @@ class Runner {
     const int first = clip.frames.front().number;
     Progress progress("running " + output.mode,
                       ShownFrames(options, static_cast<int>(clip.frames.size())), "frames");
-    RunModeOn(arguments_.device, clip, options, pool_, [&](const ShownFrame& shown) {
+    RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
       ThrowIfInterrupted("run", "the frames that are written are whole");
       WriteShownFrame(output.folder, first, shown, clip.encoding, format_);
       output.files.push_back(ShownFileName(first, shown.time, format_));
@@ -142,6 +144,7 @@ class Runner {
   const Sequence sequence_;
   const ShownFormat format_;
   const FrameRange range_;
+  const std::unique_ptr<ModeDevice> device_;
   ThreadPool pool_;
 };
 
@@ -198,9 +201,7 @@ void AddRunCommand(Command app, CommandRun* run) {
   command.Add("--out", a.out, "Folder for the frames").Required();
   command.Add("--format", a.format, "Format of the files (default: png, exr if linear)")
       .OneOf({"png", "exr"});
-  command.Add("--device", a.device, "Device that computes the frames")
-      .OneOf(DeviceNames())
-      .ShowDefault();
+  AddDeviceOption(command, &a.device);
   command.Add("--every", a.every, "Render every N-th frame").Within(1, 64).ShowDefault();
   AddTableOptions(command, &a.pipeline);
   AddPipelineOptions(command, &a.pipeline);

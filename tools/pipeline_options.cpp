@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tools/device.h"
 #include "tools/judge/protocol_filter.h"
 #include "tools/warning.h"
 
@@ -40,6 +41,12 @@ void AddPipelineOptions(Command command, PipelineArguments* arguments) {
   command.AddFlag(
       "--texels", a.texels,
       "Take render-grid colour from texels of the reference, in the order of the jitter");
+}
+
+CommandOption AddDeviceOption(Command command, std::string* device) {
+  return command.Add("--device", *device, "Device that computes the frames")
+      .OneOf(DeviceNames())
+      .ShowDefault();
 }
 
 CommandOption AddSettledOption(Command command, int* settled) {

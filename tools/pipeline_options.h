@@ -16,6 +16,9 @@ void AddTableOptions(Command command, PipelineArguments* arguments);
 // Adds --params, --filter, --frames, --generated, --alpha, --motion-filter, --history and --texels.
 void AddPipelineOptions(Command command, PipelineArguments* arguments);
 
+// Adds --device and returns it.
+CommandOption AddDeviceOption(Command command, std::string* device);
+
 // Adds --settled and returns it.
 CommandOption AddSettledOption(Command command, int* settled);
 

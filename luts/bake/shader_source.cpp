@@ -104,10 +104,12 @@ std::vector<double> PrefilterTaps(const Prefilter& prefilter) {
 
 constexpr std::string_view kGlslWords = R"(#define WARPLUT_IMAGE sampler2D
 #define WARPLUT_FETCH(image, texel) texelFetch(image, texel, 0)
+#define WARPLUT_FETCH_LAYER(image, texel, layer) texelFetch(image, ivec3(texel, layer), 0)
 #define WARPLUT_HALVES(word) unpackHalf2x16(word)
 )";
 constexpr std::string_view kHlslWords = R"(#define WARPLUT_IMAGE Texture2D<float4>
 #define WARPLUT_FETCH(image, texel) image.Load(int3(texel, 0))
+#define WARPLUT_FETCH_LAYER(image, texel, layer) image.Load(int4(texel, layer, 0))
 #define WARPLUT_HALVES(word) f16tof32(uint2(word, (word) >> 16))
 #define vec2 float2
 #define vec4 float4
@@ -123,7 +125,20 @@ constexpr std::string_view kHlslEnd = R"(
 #undef uvec4
 )";
 
-constexpr std::string_view kLookup = R"(
+// The same of an array texture that the program defines.
+constexpr std::string_view kNodeOfTexture = R"(
+// The weights of node (ix, jy), 0 to @NODES@ in each axis, from the texture: the array's file is
+// @NAME@.ktx2 or @NAME@.dds.
+mat4 @NAME@_node(int ix, int jy) {
+  ivec2 node = ivec2(ix, jy);
+  return mat4(WARPLUT_FETCH_LAYER(@NAME@_TABLE, node, 0),
+              WARPLUT_FETCH_LAYER(@NAME@_TABLE, node, 1),
+              WARPLUT_FETCH_LAYER(@NAME@_TABLE, node, 2),
+              WARPLUT_FETCH_LAYER(@NAME@_TABLE, node, 3));
+}
+)";
+
+constexpr std::string_view kNodeOfArray = R"(
 // The weights of node (ix, jy), 0 to @NODES@ in each axis: element [ky][kx] is the weight of tap
 // (kx - 1, ky - 1).
 mat4 @NAME@_node(int ix, int jy) {
@@ -144,7 +159,9 @@ mat4 @NAME@_node(int ix, int jy) {
   if (flips_y) w = mat4(w[3], w[2], w[1], w[0]);
   return w;
 }
+)";
 
+constexpr std::string_view kLookup = R"(
 // The weights for an offset in [0, 1)^2, bilinear between the nodes around it.
 mat4 @NAME@_weights(vec2 offset) {
   vec2 node = floor(offset * @NODES@.0);
@@ -229,11 +246,16 @@ std::string ShaderSource(const std::string& name, const std::string& banner, con
   text += hlsl ? kHlslWords.substr(0, kHlslWords.find("#define vec2")) : kGlslWords;
   text += "#endif\n";
   if (hlsl) text += kHlslWords.substr(kHlslWords.find("#define vec2"));
+  text += "\n#ifdef @NAME@_TABLE\n";
+  text += kNodeOfTexture;
+  text += "\n#else\n";
   text += fmt::format(
       "\n// Rows of nodes (i, j) with 0 <= j <= i <= {}, at i (i + 1) / 2 + j; two halves a "
       "word.\n",
       kHalf);
   text += ArrayOf(language, "uvec4", "@NAME@_rows", PackedRows(table));
+  text += kNodeOfArray;
+  text += "\n#endif\n";
   text += kLookup;
   text += kSample;
   if (prefiltered) {

@@ -19,6 +19,11 @@ constexpr bool HasShaderSource(Footprint footprint) { return footprint == Footpr
 // halves; the source holds the eighth of its nodes that the symmetries of the square leave, and an
 // Error names `name` if the table lacks them.
 //
+// Some compilers take long over the array of nodes: lavapipe of Mesa 22.3 needs eight seconds.
+// Where the macro warplut_TABLE names an array texture before the source (texelFetch takes it; in
+// HLSL a Texture2DArray), nodes come from it and there is no array. NAME.ktx2 and NAME.dds are its
+// files.
+//
 //   mat4 warplut_weights(vec2 offset)           bilinear lookup: element [ky][kx] is the weight
 //   mat4 warplut_nearest_weights(vec2 offset)   of tap (kx - 1, ky - 1); offset in [0, 1)^2
 //   vec4 warplut_sample(image, size, position)  the image at `position`, in texels, the centre of
@@ -30,9 +35,6 @@ constexpr bool HasShaderSource(Footprint footprint) { return footprint == Footpr
 //                                               kShaderPrefilterRest
 std::string ShaderSource(const std::string& name, const std::string& banner, const Table& table,
                          ShaderLanguage language);
-
-// Compilers that keep no constant arrays take long: lavapipe of Mesa 22.3 half a minute. The
-// texture (table_texture.h) has no such cost, and suits passes that run each frame.
 
 // The sum of the taps of a recursive prefilter that are left out, relative to their sum.
 inline constexpr double kShaderPrefilterRest = 0x1p-16;

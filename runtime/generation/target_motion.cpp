@@ -6,9 +6,6 @@
 namespace warplut::generation {
 namespace {
 
-// How far the search for background goes, in pixels along each of the 8 directions.
-constexpr int kBackgroundReach = 64;
-
 // How a disocclusion is found in frame 0: steps, and how near the last one comes, in pixels.
 constexpr int kSearchSteps = 6;
 constexpr float kSearchClosure = 0.5f;

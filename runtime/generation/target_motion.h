@@ -33,6 +33,9 @@ struct Arrivals {
   KeyView keys;
 };
 
+// How far the search for background goes, in pixels along each of the 8 directions.
+inline constexpr int kBackgroundReach = 64;
+
 // |DepthDifference| <= T_D without its division, for depths of arrivals and kNoArrivalDepth.
 struct DepthTolerance {
   float absolute, relative;

@@ -7,9 +7,10 @@ std::uint32_t Groups(int size, int group) {
   return static_cast<std::uint32_t>((size + group - 1) / group);
 }
 
-VkDescriptorType TypeOf(const PassImage& image) {
-  return image.stored ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
-                      : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+VkDescriptorType TypeOf(const PassResource& resource) {
+  if (resource.buffer != VK_NULL_HANDLE) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+  return resource.stored ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
+                         : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 }
 
 }  // namespace
@@ -23,7 +24,8 @@ ComputePass::ComputePass(const VulkanDevice& device, const PassOptions& options,
   try {
     CreateLayouts(options);
     CreatePipeline(options);
-    CreateSet(options, sampler);
+    CreateSets(options);
+    for (std::size_t i = 0; i < sets_.size(); ++i) WriteSet(options.sets[i], sets_[i], sampler);
   } catch (...) {
     Destroy();
     throw;
@@ -42,8 +44,9 @@ void ComputePass::Destroy() {
 
 void ComputePass::CreateLayouts(const PassOptions& options) {
   std::vector<VkDescriptorSetLayoutBinding> bindings;
-  for (std::size_t i = 0; i < options.images.size(); ++i) {
-    bindings.push_back({static_cast<std::uint32_t>(i), TypeOf(options.images[i]), 1,
+  const std::vector<PassResource>& resources = options.sets.front();
+  for (std::size_t i = 0; i < resources.size(); ++i) {
+    bindings.push_back({static_cast<std::uint32_t>(i), TypeOf(resources[i]), 1,
                         VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
   }
   const VkDescriptorSetLayoutCreateInfo set = {
@@ -104,45 +107,56 @@ void ComputePass::CreatePipeline(const PassOptions& options) {
   CheckVulkan(result, std::string("to compile the pass ") + name_);
 }
 
-void ComputePass::CreateSet(const PassOptions& options, VkSampler sampler) {
-  const auto count = static_cast<std::uint32_t>(options.images.size());
+void ComputePass::CreateSets(const PassOptions& options) {
+  const auto sets = static_cast<std::uint32_t>(options.sets.size());
+  const auto count = sets * static_cast<std::uint32_t>(options.sets.front().size());
   const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count},
-                                        {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count}};
+                                        {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count},
+                                        {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count}};
   const VkDescriptorPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                            .pNext = nullptr,
                                            .flags = 0,
-                                           .maxSets = 1,
-                                           .poolSizeCount = 2,
+                                           .maxSets = sets,
+                                           .poolSizeCount = 3,
                                            .pPoolSizes = sizes};
   CheckVulkan(vkCreateDescriptorPool(device_.handle(), &pool, nullptr, &pool_),
               "to make descriptors");
+  const std::vector<VkDescriptorSetLayout> layouts(sets, set_layout_);
   const VkDescriptorSetAllocateInfo set = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
                                            .pNext = nullptr,
                                            .descriptorPool = pool_,
-                                           .descriptorSetCount = 1,
-                                           .pSetLayouts = &set_layout_};
-  CheckVulkan(vkAllocateDescriptorSets(device_.handle(), &set, &set_), "to make descriptors");
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const PassImage& image = options.images[i];
-    const VkDescriptorImageInfo info = {image.stored ? VK_NULL_HANDLE : sampler, image.view,
-                                        VK_IMAGE_LAYOUT_GENERAL};
+                                           .descriptorSetCount = sets,
+                                           .pSetLayouts = layouts.data()};
+  sets_.resize(sets);
+  CheckVulkan(vkAllocateDescriptorSets(device_.handle(), &set, sets_.data()),
+              "to make descriptors");
+}
+
+void ComputePass::WriteSet(const std::vector<PassResource>& resources, VkDescriptorSet set,
+                           VkSampler sampler) {
+  for (std::size_t i = 0; i < resources.size(); ++i) {
+    const PassResource& resource = resources[i];
+    const VkDescriptorImageInfo image = {resource.stored ? VK_NULL_HANDLE : sampler, resource.view,
+                                         VK_IMAGE_LAYOUT_GENERAL};
+    const VkDescriptorBufferInfo buffer = {resource.buffer, 0, VK_WHOLE_SIZE};
+    const bool is_buffer = resource.buffer != VK_NULL_HANDLE;
     const VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                         .pNext = nullptr,
-                                        .dstSet = set_,
-                                        .dstBinding = i,
+                                        .dstSet = set,
+                                        .dstBinding = static_cast<std::uint32_t>(i),
                                         .dstArrayElement = 0,
                                         .descriptorCount = 1,
-                                        .descriptorType = TypeOf(image),
-                                        .pImageInfo = &info,
-                                        .pBufferInfo = nullptr,
+                                        .descriptorType = TypeOf(resource),
+                                        .pImageInfo = is_buffer ? nullptr : &image,
+                                        .pBufferInfo = is_buffer ? &buffer : nullptr,
                                         .pTexelBufferView = nullptr};
     vkUpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
   }
 }
 
-void ComputePass::Record(VkCommandBuffer commands, const void* numbers) const {
+void ComputePass::Record(VkCommandBuffer commands, const void* numbers, std::size_t set) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 1, &set_, 0,
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 1, &sets_[set], 0,
                           nullptr);
   vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
                      static_cast<std::uint32_t>(numbers_bytes_), numbers);

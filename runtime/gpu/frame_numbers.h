@@ -11,7 +11,7 @@ namespace warplut {
 using GpuInt2 = std::array<std::int32_t, 2>;
 using GpuFloat2 = std::array<float, 2>;
 
-// As in shaders/common.glsl.
+// As in shaders/super_resolution.glsl.
 struct FrameNumbers {
   GpuInt2 render_size, output_size;
   GpuFloat2 jitter, jitter_before;
@@ -23,6 +23,18 @@ struct FrameNumbers {
   std::int32_t has_history;
 };
 static_assert(sizeof(FrameNumbers) == 96);
+
+// As in shaders/generation.glsl.
+struct GenerationNumbers {
+  GpuInt2 output_size;
+  GpuFloat2 motion_scale;
+  float depth_a, depth_b;
+  float depth_threshold, brightness_threshold;
+  float gate_width, filter_parameter;
+  float alpha;
+  std::int32_t counts_motion0;
+};
+static_assert(sizeof(GenerationNumbers) == 48);
 
 // As in shaders/prefilter.comp.
 struct PrefilterNumbers {

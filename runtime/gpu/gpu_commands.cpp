@@ -145,6 +145,21 @@ void CopyToImage(VkCommandBuffer commands, const GpuBuffer& from, const GpuImage
   ChangeUse(commands, to, kCopiedTo, kByShaders);
 }
 
+void FillBuffer(VkCommandBuffer commands, const GpuBuffer& buffer, std::uint32_t value) {
+  constexpr VkAccessFlags kByShader = kByShaders.access, kByCopy = VK_ACCESS_TRANSFER_WRITE_BIT;
+  const VkMemoryBarrier before = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                  .pNext = nullptr,
+                                  .srcAccessMask = kByShader,
+                                  .dstAccessMask = kByCopy};
+  vkCmdPipelineBarrier(commands, kCompute, kCopies, 0, 1, &before, 0, nullptr, 0, nullptr);
+  vkCmdFillBuffer(commands, buffer.buffer, 0, VK_WHOLE_SIZE, value);
+  const VkMemoryBarrier after = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                 .pNext = nullptr,
+                                 .srcAccessMask = kByCopy,
+                                 .dstAccessMask = kByShader};
+  vkCmdPipelineBarrier(commands, kCopies, kCompute, 0, 1, &after, 0, nullptr, 0, nullptr);
+}
+
 void CopyToBuffer(VkCommandBuffer commands, const GpuImage& from, const GpuBuffer& to) {
   const VkBufferImageCopy copy = WholeImage(from);
   ChangeUse(commands, from, kByShaders, kCopiedFrom);

@@ -38,6 +38,8 @@ class GpuCommands {
 void PrepareImage(VkCommandBuffer commands, const GpuImage& image);
 // Afterwards shaders can read the image.
 void CopyToImage(VkCommandBuffer commands, const GpuBuffer& from, const GpuImage& to);
+// Every word of the buffer becomes `value`, which shaders can read then.
+void FillBuffer(VkCommandBuffer commands, const GpuBuffer& buffer, std::uint32_t value);
 // Results that shaders stored. The processor can read the buffer when the commands ended.
 void CopyToBuffer(VkCommandBuffer commands, const GpuImage& from, const GpuBuffer& to);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "runtime/configuration/chosen.h"
+#include "runtime/gpu/gpu_frame_generation.h"
 #include "runtime/gpu/gpu_super_resolution.h"
 #include "runtime/gpu/vulkan_resources.h"
 
@@ -12,37 +13,19 @@ bool Refused(const std::string& sentence, std::string* why) {
   return false;
 }
 
-}  // namespace
+constexpr const char* kNoPeers =
+    "the options name a peer; the GPU has the passes of super resolution and frame generation";
 
-InputConventions InputConventions::DepthBuffer(float near_plane, float far_plane, bool reversed) {
-  const float ratio = far_plane / near_plane;
-  InputConventions conventions;
-  conventions.depth_buffer = true;
-  conventions.depth_a = reversed ? 1.0f : ratio;
-  conventions.depth_b = reversed ? ratio - 1 : 1 - ratio;
-  return conventions;
-}
-
-bool GpuSuperResolution::IsRunnable(const VulkanDevice& device,
-                                    const SuperResolutionOptions& options, std::string* why) {
-  if (options.peer != nullptr) {
-    return Refused("the options name a peer; the GPU has the passes of super resolution alone",
-                   why);
-  }
-  const PixelFormat format = HistoryFormatOf(options);
-  if (format != PixelFormat::kRgba16F && format != PixelFormat::kRgba32F) {
-    return Refused(
-        std::string("the history format is ") + Name(format) + "; the GPU takes rgba16f or rgba32f",
-        why);
-  }
-  const int largest = std::max(options.output_width, options.output_height);
-  // Positions are whole numbers below 2^31 (shaders/common.glsl).
+// Whether the device holds images of this size and stores to those of the formats.
+bool Holds(const VulkanDevice& device, int width, int height, PixelFormat format,
+           std::string* why) {
+  // Positions are whole numbers below 2^31 (shaders/super_resolution.glsl).
   constexpr int kLargestExact = 1 << 14;
   const int most = std::min(device.largest_image(), kLargestExact);
-  if (largest > most) {
-    return Refused("the output is " + std::to_string(options.output_width) + " x " +
-                       std::to_string(options.output_height) + "; the device " + device.name() +
-                       " takes sides of at most " + std::to_string(most),
+  if (std::max(width, height) > most) {
+    return Refused("the output is " + std::to_string(width) + " x " + std::to_string(height) +
+                       "; the device " + device.name() + " takes sides of at most " +
+                       std::to_string(most),
                    why);
   }
   for (const VkFormat needed : {VulkanFormat(format), VK_FORMAT_R32_SFLOAT}) {
@@ -53,6 +36,32 @@ bool GpuSuperResolution::IsRunnable(const VulkanDevice& device,
     }
   }
   return true;
+}
+
+}  // namespace
+
+bool GpuSuperResolution::IsRunnable(const VulkanDevice& device,
+                                    const SuperResolutionOptions& options, std::string* why) {
+  if (options.peer != nullptr) return Refused(kNoPeers, why);
+  const PixelFormat format = HistoryFormatOf(options);
+  if (format != PixelFormat::kRgba16F && format != PixelFormat::kRgba32F) {
+    return Refused(
+        std::string("the history format is ") + Name(format) + "; the GPU takes rgba16f or rgba32f",
+        why);
+  }
+  return Holds(device, options.output_width, options.output_height, format, why);
+}
+
+bool GpuFrameGeneration::IsRunnable(const VulkanDevice& device,
+                                    const FrameGenerationOptions& options, std::string* why) {
+  if (options.peer != nullptr) return Refused(kNoPeers, why);
+  const MotionModel model = ModelOf(options);
+  if (model != MotionModel::kLinear && model != MotionModel::kQuadratic) {
+    return Refused(
+        std::string("the motion model is '") + Name(model) + "'; the GPU has linear and quadratic",
+        why);
+  }
+  return Holds(device, options.width, options.height, PixelFormat::kRgba32F, why);
 }
 
 }  // namespace warplut

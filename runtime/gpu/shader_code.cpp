@@ -4,6 +4,12 @@
 #include "shaders/aliasing_rgba32f.h"
 #include "shaders/depth_range_rgba16f.h"
 #include "shaders/depth_range_rgba32f.h"
+#include "shaders/encode_rgba16f.h"
+#include "shaders/encode_rgba32f.h"
+#include "shaders/generate_rgba16f.h"
+#include "shaders/generate_rgba32f.h"
+#include "shaders/geometry_rgba16f.h"
+#include "shaders/geometry_rgba32f.h"
 #include "shaders/predict_rgba16f.h"
 #include "shaders/predict_rgba32f.h"
 #include "shaders/prefilter_rgba16f.h"
@@ -12,6 +18,8 @@
 #include "shaders/residual_rgba32f.h"
 #include "shaders/samples_rgba16f.h"
 #include "shaders/samples_rgba32f.h"
+#include "shaders/splat_rgba16f.h"
+#include "shaders/splat_rgba32f.h"
 #include "shaders/update_rgba16f.h"
 #include "shaders/update_rgba32f.h"
 
@@ -35,6 +43,14 @@ std::span<const std::uint32_t> CodeOf(Shader shader, PixelFormat format) {
       return half ? Code(update_rgba16f) : Code(update_rgba32f);
     case Shader::kDepthRange:
       return half ? Code(depth_range_rgba16f) : Code(depth_range_rgba32f);
+    case Shader::kGeometry:
+      return half ? Code(geometry_rgba16f) : Code(geometry_rgba32f);
+    case Shader::kEncode:
+      return half ? Code(encode_rgba16f) : Code(encode_rgba32f);
+    case Shader::kSplat:
+      return half ? Code(splat_rgba16f) : Code(splat_rgba32f);
+    case Shader::kGenerate:
+      return half ? Code(generate_rgba16f) : Code(generate_rgba32f);
   }
   return {};
 }

@@ -15,7 +15,11 @@ enum class Shader : std::uint8_t {
   kResidual,
   kAliasing,
   kUpdate,
-  kDepthRange
+  kDepthRange,
+  kGeometry,
+  kEncode,
+  kSplat,
+  kGenerate
 };
 
 // The code for images of this format: kRgba16F or kRgba32F.

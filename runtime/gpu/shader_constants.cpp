@@ -1,5 +1,8 @@
 // Prints constants.glsl: the numbers and enumerators of the C++ headers, for the shaders.
+#include <bit>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 #include "luts/filters.h"
@@ -8,6 +11,8 @@
 #include "runtime/choices.h"
 #include "runtime/color_encoding.h"
 #include "runtime/filter.h"
+#include "runtime/generation/blend.h"
+#include "runtime/generation/target_motion.h"
 #include "runtime/motion/motion_split.h"
 #include "runtime/prefilter.h"
 #include "runtime/sr/aliasing.h"
@@ -23,6 +28,13 @@ void Print(const char* name, float value) {
   std::printf("const float %s = %s%s;\n", name, number, is_whole ? ".0" : "");
 }
 void Print(const char* name, int value) { std::printf("const int %s = %d;\n", name, value); }
+void Print(const char* name, std::uint32_t value) {
+  std::printf("const uint %s = 0x%Xu;\n", name, value);
+}
+void Print(const char* name, const float (&v)[3]) {
+  std::printf("const vec3 %s = vec3(%.9g, %.9g, %.9g);\n", name, static_cast<double>(v[0]),
+              static_cast<double>(v[1]), static_cast<double>(v[2]));
+}
 template <class Enum>
 void PrintEnum(const char* name, Enum value) {
   Print(name, static_cast<int>(value));
@@ -58,6 +70,11 @@ void PrintAll() {
   PrintEnum("kCurrentFrameBicubic", CurrentFrame::kBicubic);
   PrintEnum("kColorEncodingDisplay", ColorEncoding::kDisplay);
   PrintEnum("kColorEncodingLinearHdr", ColorEncoding::kLinearHdr);
+  PrintEnum("kMotionModelLinear", MotionModel::kLinear);
+  PrintEnum("kMotionModelQuadratic", MotionModel::kQuadratic);
+  PrintEnum("kDisocclusionFillOwnMotion", DisocclusionFill::kOwnMotion);
+  PrintEnum("kDisocclusionFillBackground", DisocclusionFill::kBackground);
+  PrintEnum("kDisocclusionFillNone", DisocclusionFill::kNone);
   PrintEnum("kFilterBilinear", Filter::kBilinear);
   PrintEnum("kFilterCatmullRom", Filter::kCatmullRom);
   PrintEnum("kFilterKeys", Filter::kKeys);
@@ -86,6 +103,13 @@ void PrintAll() {
   Print("kLeastAliasing", kLeastAliasing);
   Print("kMostAliasing", kMostAliasing);
   Print("kAliasingTile", kAliasingTile);
+
+  Print("kNanBits", std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN()));
+  Print("kNoArrival", generation::SplatSource(generation::kNoSplat));
+  Print("kNoArrivalDepth", generation::kNoArrivalDepth);
+  Print("kBackgroundReach", generation::kBackgroundReach);
+  Print("kBrightnessWeights", generation::kBrightnessWeights);
+  Print("kUnlike", generation::kUnlike);
 
   Print("kHdrOctaves", kHdrOctaves);
   Print("kHdrGain", kHdrGain);

@@ -43,9 +43,17 @@ VkFormat VulkanFormat(PixelFormat format) {
                                          : VK_FORMAT_R32G32B32A32_SFLOAT;
 }
 
+bool IsStored(VkFormat format) {
+  return format == VK_FORMAT_R32_SFLOAT || format == VK_FORMAT_R16G16B16A16_SFLOAT ||
+         format == VK_FORMAT_R32G32B32A32_SFLOAT;
+}
+
 std::size_t TexelBytes(VkFormat format) {
   switch (format) {
     case VK_FORMAT_R32_SFLOAT:
+    case VK_FORMAT_R16G16_SFLOAT:
+    case VK_FORMAT_B10G11R11_UFLOAT_PACK32:
+    case VK_FORMAT_R8G8B8A8_UNORM:
       return 4;
     case VK_FORMAT_R32G32_SFLOAT:
     case VK_FORMAT_R16G16B16A16_SFLOAT:
@@ -66,10 +74,11 @@ GpuResources::~GpuResources() {
   for (const GpuBuffer& b : buffers_) vkDestroyBuffer(device, b.buffer, nullptr);
   vkFreeMemory(device, image_memory_, nullptr);
   vkFreeMemory(device, buffer_memory_, nullptr);
+  vkFreeMemory(device, shared_memory_, nullptr);
 }
 
 int GpuResources::AddImage(VkFormat format, int width, int height, int layers) {
-  const bool stores = format != VK_FORMAT_R32G32_SFLOAT && layers == 0;
+  const bool stores = IsStored(format) && layers == 0;
   VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                             VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   if (stores) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
@@ -95,17 +104,18 @@ int GpuResources::AddImage(VkFormat format, int width, int height, int layers) {
   return static_cast<int>(images_.size()) - 1;
 }
 
-int GpuResources::AddBuffer(std::size_t size) {
-  const VkBufferCreateInfo info = {
-      .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-      .pNext = nullptr,
-      .flags = 0,
-      .size = size,
-      .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-      .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
-      .queueFamilyIndexCount = 0,
-      .pQueueFamilyIndices = nullptr};
-  GpuBuffer buffer = {.size = size};
+int GpuResources::AddBuffer(std::size_t size, bool on_device) {
+  const VkBufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                   .pNext = nullptr,
+                                   .flags = 0,
+                                   .size = size,
+                                   .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                                            VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                   .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
+                                   .queueFamilyIndexCount = 0,
+                                   .pQueueFamilyIndices = nullptr};
+  GpuBuffer buffer = {.size = size, .on_device = on_device};
   CheckVulkan(vkCreateBuffer(device_.handle(), &info, nullptr, &buffer.buffer), "to make a buffer");
   buffers_.push_back(buffer);
   return static_cast<int>(buffers_.size()) - 1;
@@ -113,7 +123,7 @@ int GpuResources::AddBuffer(std::size_t size) {
 
 void GpuResources::Allocate() {
   if (!images_.empty()) AllocateImages();
-  if (!buffers_.empty()) AllocateBuffers();
+  for (const bool on_device : {true, false}) AllocateBuffers(on_device);
 }
 
 void GpuResources::AllocateImages() {
@@ -143,23 +153,33 @@ void GpuResources::AllocateImages() {
   }
 }
 
-void GpuResources::AllocateBuffers() {
-  std::vector<VkMemoryRequirements> requirements(buffers_.size());
-  for (std::size_t i = 0; i < buffers_.size(); ++i)
-    vkGetBufferMemoryRequirements(device_.handle(), buffers_[i].buffer, &requirements[i]);
+void GpuResources::AllocateBuffers(bool on_device) {
+  std::vector<GpuBuffer*> buffers;
+  std::vector<VkMemoryRequirements> requirements;
+  for (GpuBuffer& buffer : buffers_) {
+    if (buffer.on_device != on_device) continue;
+    buffers.push_back(&buffer);
+    requirements.emplace_back();
+    vkGetBufferMemoryRequirements(device_.handle(), buffer.buffer, &requirements.back());
+  }
+  if (buffers.empty()) return;
   const std::vector<VkDeviceSize> places = Places(requirements);
-  buffer_bytes_ = places.back();
-  buffer_memory_ = AllocateBlock(
-      device_, places.back(),
-      device_.MemoryType(CommonTypes(requirements), VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
-                                                        VK_MEMORY_PROPERTY_HOST_COHERENT_BIT));
+  buffer_bytes_ += places.back();
+  const VkMemoryPropertyFlags kind =
+      on_device ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
+                : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  VkDeviceMemory& memory = on_device ? buffer_memory_ : shared_memory_;
+  memory =
+      AllocateBlock(device_, places.back(), device_.MemoryType(CommonTypes(requirements), kind));
   void* mapped = nullptr;
-  CheckVulkan(vkMapMemory(device_.handle(), buffer_memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
-              "to map memory");
-  for (std::size_t i = 0; i < buffers_.size(); ++i) {
-    CheckVulkan(vkBindBufferMemory(device_.handle(), buffers_[i].buffer, buffer_memory_, places[i]),
+  if (!on_device) {
+    CheckVulkan(vkMapMemory(device_.handle(), memory, 0, VK_WHOLE_SIZE, 0, &mapped),
+                "to map memory");
+  }
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    CheckVulkan(vkBindBufferMemory(device_.handle(), buffers[i]->buffer, memory, places[i]),
                 "to place a buffer");
-    buffers_[i].bytes = static_cast<std::byte*>(mapped) + places[i];
+    if (!on_device) buffers[i]->bytes = static_cast<std::byte*>(mapped) + places[i];
   }
 }
 

@@ -1,5 +1,5 @@
-// Images and buffers of one object, in two blocks of memory: one on the device for all images, one
-// that the processor sees for all buffers.
+// Images and buffers of one object, in a block of memory for each kind: images, buffers that only
+// shaders see, buffers that the processor sees.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,16 @@ struct GpuImage {
 
 struct GpuBuffer {
   VkBuffer buffer = VK_NULL_HANDLE;
-  std::byte* bytes = nullptr;  // from Allocate on
+  std::byte* bytes = nullptr;  // from Allocate on; null if only shaders see it
   std::size_t size = 0;
+  bool on_device = false;  // only shaders see it
 };
 
 // That of kRgba16F or kRgba32F.
 VkFormat VulkanFormat(PixelFormat format);
+
+// Whether shaders store to images of this format. Others are inputs.
+bool IsStored(VkFormat format);
 
 // Bytes of a texel of the formats that are used here.
 std::size_t TexelBytes(VkFormat format);
@@ -38,7 +42,7 @@ class GpuResources {
 
   // Indices into image() and buffer(). `layers` > 0 makes an array.
   int AddImage(VkFormat format, int width, int height, int layers = 0);
-  int AddBuffer(std::size_t size);
+  int AddBuffer(std::size_t size, bool on_device = false);
   // Memory for all that was added; images then have views, buffers are mapped. Once.
   void Allocate();
 
@@ -49,12 +53,13 @@ class GpuResources {
 
  private:
   void AllocateImages();
-  void AllocateBuffers();
+  void AllocateBuffers(bool on_device);
 
   const VulkanDevice& device_;
   std::vector<GpuImage> images_;
   std::vector<GpuBuffer> buffers_;
-  VkDeviceMemory image_memory_ = VK_NULL_HANDLE, buffer_memory_ = VK_NULL_HANDLE;
+  VkDeviceMemory image_memory_ = VK_NULL_HANDLE, buffer_memory_ = VK_NULL_HANDLE,
+                 shared_memory_ = VK_NULL_HANDLE;
   std::size_t image_bytes_ = 0, buffer_bytes_ = 0;
 };
 

@@ -66,10 +66,23 @@ TEST_F(RunCommand, WritesSuperResolvedFrames) {
   EXPECT_EQ(info.bits, 8);
 }
 
-TEST_F(RunCommand, RefusesAMethodThatADeviceLacks) {
-  ExpectRefused(RunWarplut(Arguments("i", {"--device", "vulkan"})), kUsage, "no passes for the");
-  EXPECT_FALSE(fs::exists(Path("out")));
+TEST_F(RunCommand, RefusesADeviceThatThereIsNot) {
   ExpectRefused(RunWarplut(Arguments("sr", {"--device", "abacus"})), kUsage, "--device");
+  EXPECT_FALSE(fs::exists(Path("out")));
+}
+
+// A loader that finds no driver, or a build without Vulkan: a sentence, and nothing is left behind.
+TEST_F(RunCommand, WithoutAGpuNothingIsLeftBehind) {
+  setenv("VK_ICD_FILENAMES", "/none", 1);
+  setenv("VK_DRIVER_FILES", "/none", 1);
+  const ProgramResult result = RunWarplut(Arguments("i", {"--device", "vulkan"}));
+  unsetenv("VK_ICD_FILENAMES");
+  unsetenv("VK_DRIVER_FILES");
+  EXPECT_NE(result.code, 0);
+  EXPECT_TRUE(result.err.find("there is no Vulkan") != std::string::npos ||
+              result.err.find("no passes for the device vulkan") != std::string::npos)
+      << result.err;
+  EXPECT_FALSE(fs::exists(Path("out")));
 }
 
 // The default history is in halves, and the files have 8 bits: a code apart at most.

@@ -75,9 +75,10 @@ class SequenceJudging {
   // All that decides the scores, beside the files' contents.
   std::string Identity() const {
     const PipelineArguments& a = options_.pipeline;
-    std::string text = fmt::format("{} {} {} {} {} {} {} {} {}", pipeline_.filter_name(), a.lookup,
-                                   a.params, a.generated, a.motion_filter, a.history, a.texels,
-                                   options_.every, options_.border);
+    std::string text =
+        fmt::format("{} {} {} {} {} {} {} {} {} {}", pipeline_.filter_name(), a.lookup, a.params,
+                    a.generated, a.motion_filter, a.history, a.texels, options_.every,
+                    options_.border, options_.device != nullptr);
     for (const float alpha : a.alphas) text += fmt::format(" {}", alpha);
     for (const MethodInfo* method : options_.methods) text += fmt::format(" {}", method->name);
     for (std::size_t s = 0; s < sequences_.size(); ++s) {
@@ -127,8 +128,8 @@ class SequenceJudging {
   }
 
   void Run(const LoadedSequence& loaded, const MethodInfo& method, const ShownFrameSink& sink) {
-    const ModeRunOptions options =
-        pipeline_.Options(method, Generates(method) ? options_.every : 1);
+    ModeRunOptions options = pipeline_.Options(method, Generates(method) ? options_.every : 1);
+    options.device = options_.device;
     const Clip& clip = loaded.ClipFor(method);
     std::string why;
     if (!options.IsValid(clip, &why)) throw Error(why);

@@ -8,6 +8,7 @@
 #include "runtime/executor.h"
 #include "tools/judge/sequence_report.h"
 #include "tools/pipeline.h"
+#include "train/replay/mode_device.h"
 
 namespace warplut {
 
@@ -17,6 +18,7 @@ struct SequenceJudgingOptions {
   int border = kScoreBorder;
   int settled = 0;  // judged frames that the settled means leave out; 0: there are none
   std::filesystem::path pictures;  // folder of the windows where the first method errs most
+  ModeDevice* device = nullptr;    // outlives the call; null: the processor
   PipelineArguments pipeline;
 };
 

@@ -1,7 +1,7 @@
 // Tiles of the render grid: how much smoother the history is updated, runtime/sr/aliasing.h.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "common.glsl"
+#include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D variances;
 layout(binding = 1, r32f) writeonly uniform image2D smoothing;

@@ -2,7 +2,7 @@
 // the next frame is compared.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "common.glsl"
+#include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depth;
 layout(binding = 1, r32f) writeonly uniform image2D nearest;

@@ -2,7 +2,7 @@
 // validity (in alpha) and the limit to the colour box.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "common.glsl"
+#include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D color;
 layout(binding = 1) uniform sampler2D depth;
@@ -15,56 +15,10 @@ layout(binding = 7) uniform sampler2D box_high;
 layout(binding = 8) uniform sampler2D nearest_before;
 layout(binding = 9) uniform sampler2D farthest_before;
 layout(binding = 10, HISTORY_FORMAT) writeonly uniform image2D predicted;
+#include "surface.glsl"
+
+vec4 WarpedTexel(sampler2D image, ivec2 p) { return texelFetch(image, p, 0); }
 #include "warp.glsl"
-
-// What is seen at a point; motion in render pixels.
-struct Surface {
-  float depth;
-  vec2 motion;
-};
-
-Surface SurfaceOf(ivec2 p) { return Surface(LoadDepth(depth, p), LoadMotion(motion, p)); }
-
-// The nearest to the camera of the 3 x 3 samples around p; of equal ones the middle one, then the
-// first in reading order.
-Surface NearestSurface(ivec2 p) {
-  float least = LoadDepth(depth, p);
-  ivec2 at = p;
-  for (int dj = -1; dj <= 1; ++dj) {
-    for (int di = -1; di <= 1; ++di) {
-      float z = LoadDepth(depth, p + ivec2(di, dj));
-      if (z < least) {
-        least = z;
-        at = p + ivec2(di, dj);
-      }
-    }
-  }
-  return Surface(least, LoadMotion(motion, at));
-}
-
-// Bilinear inside a surface; at its edges the nearest surface.
-Surface EdgeAwareSurface(ivec2 cell, vec2 t, ivec2 nearest) {
-  Surface a = SurfaceOf(cell), b = SurfaceOf(cell + ivec2(1, 0));
-  Surface c = SurfaceOf(cell + ivec2(0, 1)), d = SurfaceOf(cell + ivec2(1, 1));
-  float least = min(min(a.depth, b.depth), min(c.depth, d.depth));
-  float greatest = max(max(a.depth, b.depth), max(c.depth, d.depth));
-  float most_motion = max(max(a.motion.x, b.motion.x), max(c.motion.x, d.motion.x));
-  bool edge = most_motion >= kNoMotion ||
-              (greatest - least) / max(least, 1e-12) > kSurfaceStep;
-  if (edge) return NearestSurface(nearest);
-  vec3 left = mix(vec3(a.depth, a.motion), vec3(c.depth, c.motion), t.y);
-  vec3 right = mix(vec3(b.depth, b.motion), vec3(d.depth, d.motion), t.y);
-  vec3 inside = left + t.x * (right - left);
-  return Surface(inside.x, inside.yz);
-}
-
-Surface SurfaceAt(AxisPlace x, AxisPlace y) {
-  ivec2 nearest = ivec2(x.nearest, y.nearest);
-  if (MOTION == kMotionUpsamplingNearest) return SurfaceOf(nearest);
-  if (MOTION == kMotionUpsamplingDilated) return NearestSurface(nearest);
-  if (MOTION == kMotionUpsamplingStatic) return Surface(kFarthestDepth, vec2(0.0));
-  return EdgeAwareSurface(ivec2(x.cell, y.cell), vec2(x.fraction, y.fraction), nearest);
-}
 
 // How much of the history counts, in [0, 1].
 float ValidityAt(ivec2 p, Surface surface, vec2 output_motion) {
@@ -125,7 +79,7 @@ void main() {
   if (validity < 1.0) result = CurrentFrameAt(x, y);
   if (validity > 0.0) {
     vec3 warped = MOTION == kMotionUpsamplingStatic ? texelFetch(history, p, 0).rgb
-                                                    : WarpedHistory(p, output_motion).rgb;
+                                                    : WarpedImage(history, coefficients, p, output_motion).rgb;
     ivec2 cell = ivec2(x.cell, y.cell);
     vec2 t = vec2(x.fraction, y.fraction);
     warped = clamp(warped, BoxAt(box_low, cell, t), BoxAt(box_high, cell, t));

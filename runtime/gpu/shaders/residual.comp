@@ -2,7 +2,7 @@
 // the variance of each tile of them. A group is a tile.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "common.glsl"
+#include "super_resolution.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;  // kAliasingTile
 layout(binding = 0) uniform sampler2D color;
 layout(binding = 1) uniform sampler2D predicted;

@@ -1,7 +1,7 @@
 // Render grid: the colour box of the 3 x 3 samples around each sample.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "common.glsl"
+#include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D color;
 layout(binding = 1, HISTORY_FORMAT) writeonly uniform image2D box_low;

@@ -2,7 +2,7 @@
 // written.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "common.glsl"
+#include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D color;
 layout(binding = 1) uniform sampler2D predicted;

@@ -1,5 +1,8 @@
-// The history at p - m: runtime/warp.h. Before it come the samplers `history`, `coefficients` and
-// `table`: an array of LAYERS layers of 33 x 33 texels, as NAME.ktx2 has it (docs/FORMATS.md).
+// An image at p - m: runtime/warp.h. Before it come formulas.glsl and
+//   frame         with output_size and filter_parameter
+//   table         a sampler: an array of LAYERS layers of 33 x 33 texels, as NAME.ktx2 has it
+//                 (docs/FORMATS.md)
+//   WarpedTexel   vec4(sampler2D image, ivec2 p), the texel p of an image or of its coefficients
 
 // One axis of -m: whole texels and an offset in [0, 1).
 struct MotionSplit {
@@ -58,23 +61,22 @@ vec4 AxisTaps(float d) {
   return KeysTaps(frame.filter_parameter, d);
 }
 
-vec4 FetchSummed(ivec2 p) {
-  p = clamp(p, ivec2(0), frame.output_size - 1);
-  return PREFILTERED ? texelFetch(coefficients, p, 0) : texelFetch(history, p, 0);
+vec4 FetchSummed(sampler2D image, ivec2 p) {
+  return WarpedTexel(image, clamp(p, ivec2(0), frame.output_size - 1));
 }
 
-vec4 SumOfTable(ivec2 texel, vec2 d) {
+vec4 SumOfTable(sampler2D image, ivec2 texel, vec2 d) {
   vec4 sum = vec4(0.0);
   for (int layer = 0; layer < LAYERS; ++layer) {
     vec4 w = LayerWeights(layer, d);
     for (int channel = 0; channel < 4; ++channel) {
-      sum += w[channel] * FetchSummed(texel + TapOf(layer, channel));
+      sum += w[channel] * FetchSummed(image, texel + TapOf(layer, channel));
     }
   }
   return sum;
 }
 
-vec4 SumOfAxes(ivec2 texel, vec2 d) {
+vec4 SumOfAxes(sampler2D image, ivec2 texel, vec2 d) {
   vec4 wx = AxisTaps(d.x);
   vec4 wy = AxisTaps(d.y);
   vec4 sum = vec4(0.0);
@@ -83,27 +85,41 @@ vec4 SumOfAxes(ivec2 texel, vec2 d) {
     vec4 row = vec4(0.0);
     for (int kx = 0; kx < 4; ++kx) {
       if (FILTER == kFilterBilinear && (kx == 0 || kx == 3)) continue;
-      row += wx[kx] * FetchSummed(texel + ivec2(kx - 1, ky - 1));
+      row += wx[kx] * FetchSummed(image, texel + ivec2(kx - 1, ky - 1));
     }
     sum += wy[ky] * row;
   }
   return sum;
 }
 
-// The history at the centre of pixel p less `motion`, in output pixels.
-vec4 WarpedHistory(ivec2 p, vec2 motion) {
+// Where pixel p less a motion is sampled: at `texel`, plus `offset` in [0, 1).
+struct SampledPlace {
+  ivec2 texel;
+  vec2 offset;
+};
+
+SampledPlace SampledPlaceOf(ivec2 p, vec2 motion) {
   MotionSplit x = SplitMotion(motion.x);
   MotionSplit y = SplitMotion(motion.y);
-  ivec2 size = frame.output_size;
   ivec2 texel = clamp(p + ivec2(x.whole, y.whole), ivec2(kFirstSampledTexel),
-                      size - 1 - kFirstWindowTap);
-  vec2 d = vec2(x.offset, y.offset);
+                      frame.output_size - 1 - kFirstWindowTap);
+  return SampledPlace(texel, vec2(x.offset, y.offset));
+}
+
+vec4 SumOfFilter(sampler2D image, ivec2 texel, vec2 d) {
+  return FILTER == kFilterLut ? SumOfTable(image, texel, d) : SumOfAxes(image, texel, d);
+}
+
+// `image` at the centre of pixel p less `motion`, in output pixels. `coefficients` are those of the
+// image where the filter has a prefilter; the image itself where nothing is between texels.
+vec4 WarpedImage(sampler2D image, sampler2D coefficients, ivec2 p, vec2 motion) {
+  SampledPlace place = SampledPlaceOf(p, motion);
+  ivec2 size = frame.output_size;
   if (PREFILTERED) {
-    MoveInside(size.x, texel.x, d.x);
-    MoveInside(size.y, texel.y, d.y);
+    MoveInside(size.x, place.texel.x, place.offset.x);
+    MoveInside(size.y, place.texel.y, place.offset.y);
   }
-  if (d.x == 0.0 && d.y == 0.0) {
-    return texelFetch(history, clamp(texel, ivec2(0), size - 1), 0);
-  }
-  return FILTER == kFilterLut ? SumOfTable(texel, d) : SumOfAxes(texel, d);
+  if (place.offset.x == 0.0 && place.offset.y == 0.0) return FetchSummed(image, place.texel);
+  if (PREFILTERED) return SumOfFilter(coefficients, place.texel, place.offset);
+  return SumOfFilter(image, place.texel, place.offset);
 }

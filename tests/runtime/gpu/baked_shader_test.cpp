@@ -1,13 +1,17 @@
 // NAME.glsl on a GPU: its weights, its sampling function and its prefilter against the test vectors
-// that are baked beside it.
+// that are baked beside it. Nodes come from the texture, or from the array of the source, which is
+// moved into an image: lavapipe compiles the array for eight seconds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "datasets/file.h"
 #include "luts/bake/bake.h"
+#include "luts/bake/table_texture.h"
+#include "luts/half.h"
 #include "luts/quantize/quantize.h"
 #include "runtime/gpu/compute_pass.h"
 #include "runtime/gpu/gpu_commands.h"
@@ -26,6 +30,17 @@ constexpr int kRowLength = 40;  // pixels of the row that is prefiltered
 
 // Row v of the result: 4 texels of bilinear weights, 4 of nearest ones, the warped value; below
 // them the prefiltered row.
+constexpr const char* kTables = R"(#version 450
+layout(binding = 4) uniform sampler2DArray table;
+layout(binding = 5) uniform sampler2D halves;
+
+// Vector i of the array of rows: eight halves, whose bits are numbers in two texels.
+uvec4 RowOf(int i) {
+  uvec4 a = uvec4(texelFetch(halves, ivec2(2 * i, 0), 0));
+  uvec4 b = uvec4(texelFetch(halves, ivec2(2 * i + 1, 0), 0));
+  return uvec4(a.x | a.y << 16, a.z | a.w << 16, b.x | b.y << 16, b.z | b.w << 16);
+}
+)";
 constexpr const char* kMain = R"(
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D patches;
@@ -56,12 +71,41 @@ void main() {
 }
 )";
 
-class BakedShaderTest : public GpuTest, public testing::WithParamInterface<bool> {
+// Where nodes come from, and whether there is a prefilter.
+struct BakedForm {
+  const char* name;
+  bool texture, prefilter;
+};
+
+constexpr int kVectors = 306;  // of the array: two for each of 153 rows
+
+// Cuts the array of rows out of the source, reads RowOf in its place, and returns its halves.
+std::vector<float> TakeArray(std::string* source) {
+  const std::string start = "uvec4 test_fit_rows[306] = uvec4[306](", end = ");\n";
+  const std::size_t from = source->find(start), to = source->find(end, from);
+  EXPECT_NE(from, std::string::npos);
+  std::vector<float> halves;
+  for (std::size_t at = source->find("0x", from); at < to; at = source->find("0x", at + 1)) {
+    const unsigned long word = std::stoul(source->substr(at, 10), nullptr, 16);
+    halves.push_back(static_cast<float>(word & 0xFFFF));
+    halves.push_back(static_cast<float>(word >> 16));
+  }
+  source->erase(from, to + end.size() - from);
+  for (std::size_t at = 0; (at = source->find("test_fit_rows[", at)) != std::string::npos;) {
+    source->replace(at, 14, "RowOf(");
+    source->replace(source->find(']', at), 1, ")");
+  }
+  EXPECT_EQ(halves.size(), std::size_t{8 * kVectors});
+  return halves;
+}
+
+class BakedShaderTest : public GpuTest, public testing::WithParamInterface<BakedForm> {
  protected:
   std::vector<std::uint32_t> Compile(const std::string& source) const {
     const auto path = [&](const char* name) { return (folder_ / name).string(); };
     WriteFile(path("test.comp"),
-              "#version 450\n" + source + (GetParam() ? "#define PREFILTER\n" : "") + kMain);
+              std::string(kTables) + (GetParam().texture ? "#define test_fit_TABLE table\n" : "") +
+                  source + (GetParam().prefilter ? "#define PREFILTER\n" : "") + kMain);
     const std::string command = std::string(WARPLUT_GLSLANG) + " -V " + path("test.comp") + " -o " +
                                 path("test.spv") + " > " + path("log");
     EXPECT_EQ(std::system(command.c_str()), 0) << ReadFile(path("log"));
@@ -73,11 +117,14 @@ class BakedShaderTest : public GpuTest, public testing::WithParamInterface<bool>
 
   const TemporaryFolder folder_;
 };
-// The source with every function alone: lavapipe compiles an array of weights for half a minute.
-INSTANTIATE_TEST_SUITE_P(Prefilter, BakedShaderTest, testing::Values(true));
+INSTANTIATE_TEST_SUITE_P(Forms, BakedShaderTest,
+                         testing::Values(BakedForm{"TextureAndPrefilter", true, true},
+                                         BakedForm{"ArrayAndPrefilter", false, true},
+                                         BakedForm{"Array", false, false}),
+                         [](const auto& test) { return test.param.name; });
 
 TEST_P(BakedShaderTest, GivesTheTestVectors) {
-  const Fit fit = GetParam() ? WithPrefilter(MakeFit(0)) : MakeFit(0.2);
+  const Fit fit = GetParam().prefilter ? WithPrefilter(MakeFit(0)) : MakeFit(0.2);
   const BakedFiles files = Bake(fit);
   std::string source, vectors_text;
   for (const BakedFile& file : files.gpu) {
@@ -90,14 +137,17 @@ TEST_P(BakedShaderTest, GivesTheTestVectors) {
 
   GpuResources resources(device());
   constexpr VkFormat kRgba = VK_FORMAT_R32G32B32A32_SFLOAT;
-  const int images[] = {
-      resources.AddImage(kRgba, 6 * count, 6), resources.AddImage(kRgba, count, 1),
-      resources.AddImage(kRgba, kRowLength, 1), resources.AddImage(kRgba, kRowLength, count + 1)};
+  const int images[] = {resources.AddImage(kRgba, 6 * count, 6),
+                        resources.AddImage(kRgba, count, 1),
+                        resources.AddImage(kRgba, kRowLength, 1),
+                        resources.AddImage(kRgba, kRowLength, count + 1),
+                        resources.AddImage(kRgba, kTableNodes, kTableNodes, 4),
+                        resources.AddImage(kRgba, 2 * kVectors, 1)};
   std::vector<int> buffers;
   for (const int i : images) {
     const GpuImage& image = resources.image(i);
-    buffers.push_back(
-        resources.AddBuffer(16 * static_cast<std::size_t>(image.width * image.height)));
+    buffers.push_back(resources.AddBuffer(
+        16 * static_cast<std::size_t>(image.width * image.height * std::max(image.layers, 1))));
   }
   resources.Allocate();
   const auto floats = [&](int i) {
@@ -116,6 +166,15 @@ TEST_P(BakedShaderTest, GivesTheTestVectors) {
     floats(2)[i] = sample;
   }
 
+  const BakedTable halves = QuantizeToHalves(SampleFit(fit, kNodes));
+  const TableTexture texture = TextureOf(Table(halves.view()));
+  for (std::size_t k = 0; k < texture.halves.size(); ++k)
+    floats(4)[k] = HalfToFloat(texture.halves[k]);
+  if (!GetParam().texture) {
+    const std::vector<float> array = TakeArray(&source);
+    std::copy(array.begin(), array.end(), floats(5));
+  }
+
   const std::vector<std::uint32_t> code = Compile(source);
   VkSampler sampler = VK_NULL_HANDLE;
   VkSamplerCreateInfo sampling = {};
@@ -126,18 +185,19 @@ TEST_P(BakedShaderTest, GivesTheTestVectors) {
     PassOptions options = {.name = "test",
                            .spirv = code,
                            .constants = {},
-                           .images = {},
+                           .sets = {},
                            .numbers_bytes = 4,
                            .width = kRowLength,
                            .height = count + 1};
-    for (const int i : images) options.images.push_back({resources.image(i).view, i == images[3]});
+    options.sets.resize(1);
+    for (const int i : images)
+      options.sets[0].push_back({.view = resources.image(i).view, .stored = i == images[3]});
     const ComputePass pass(device(), options, sampler);
     GpuCommands commands(device(), 1);
     commands.Run([&](VkCommandBuffer recorded) {
       for (const GpuImage& image : resources.images()) PrepareImage(recorded, image);
-      for (int i = 0; i < 3; ++i)
-        CopyToImage(recorded, resources.buffer(buffers[static_cast<std::size_t>(i)]),
-                    resources.image(images[i]));
+      for (const std::size_t i : {0, 1, 2, 4, 5})
+        CopyToImage(recorded, resources.buffer(buffers[i]), resources.image(images[i]));
       pass.Record(recorded, &count);
       CopyToBuffer(recorded, resources.image(images[3]), resources.buffer(buffers[3]));
     });
@@ -153,8 +213,7 @@ TEST_P(BakedShaderTest, GivesTheTestVectors) {
     }
     EXPECT_NEAR(found[32], vectors[v]["bilinear"]["value"].get<double>(), 10 * kTolerance);
   }
-  if (!GetParam()) return;
-  const BakedTable halves = QuantizeToHalves(SampleFit(fit, kNodes));
+  if (!GetParam().prefilter) return;
   PrefilterPass::Reference(halves.view().prefilter, static_cast<const ImageBuffer&>(row).view(),
                            expected_row.view());
   for (int i = 0; i < 4 * kRowLength; ++i) {

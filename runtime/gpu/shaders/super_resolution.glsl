@@ -1,25 +1,13 @@
-// What the passes share: options, numbers of the frame, positions on both grids, colours, gates.
-//
-// Numbers and enumerators come from the C++ headers (constants.glsl is written by
-// runtime/gpu/shader_constants.cpp). Formulas follow runtime/sr/reference.h line by line; tests
-// compare every pass with it.
-#include "constants.glsl"
+// What the passes of super resolution share: options, numbers of the frame, positions on both grids,
+// colours. Formulas follow runtime/sr/reference.h line by line; tests compare every pass with it.
+#include "formulas.glsl"
 
 // Choices of SuperResolutionOptions, as in runtime/choices.h.
 layout(constant_id = 0) const int FORM = kHistoryFormAdaptive;
 layout(constant_id = 1) const int CLAMP = kColorClampVariance;
-layout(constant_id = 2) const int DEPTH = kDepthMeasureRelative;
 layout(constant_id = 3) const int MOTION = kMotionUpsamplingEdgeAware;
 layout(constant_id = 4) const int CURRENT = kCurrentFrameBilinear;
-layout(constant_id = 5) const int ENCODING = kColorEncodingDisplay;
 layout(constant_id = 6) const bool HISTORY = true;
-// The filter of the history (runtime/warp.h).
-layout(constant_id = 7) const int FILTER = kFilterLut;
-layout(constant_id = 8) const int LOOKUP = kLookupBilinear;
-layout(constant_id = 9) const bool PREFILTERED = true;
-layout(constant_id = 10) const int LAYERS = 4;  // groups of four taps of the table
-// Depth as the renderer has it: linear (depth_a z), or a depth buffer: 1 / (depth_a + depth_b z).
-layout(constant_id = 11) const bool DEPTH_BUFFER = false;
 
 // Numbers of one frame: struct FrameNumbers (runtime/gpu/frame_numbers.h).
 layout(push_constant) uniform FrameNumbers {
@@ -43,9 +31,6 @@ layout(push_constant) uniform FrameNumbers {
   float variance_unit;
   int has_history;
 } frame;
-
-bool IsFinite(float x) { return (floatBitsToUint(x) & 0x7FFFFFFFu) < 0x7F800000u; }
-bool IsNan(float x) { return (floatBitsToUint(x) & 0x7FFFFFFFu) > 0x7F800000u; }
 
 // Where an output pixel lies among the samples of an axis: between cell and cell + 1 at `fraction`
 // of the way, limited to the outermost; and at nearest + offset, not limited. As AxisMap, in whole
@@ -101,38 +86,6 @@ SamplePlace SamplePlaceOf(int i, int render, int output_, float jitter) {
   return SamplePlace(texel, share);
 }
 
-// runtime/color_encoding.h.
-float HdrCode(float x) {
-  int bits = floatBitsToInt(kHdrGain * x + 1.0) - kOneBits;
-  float octave = float(bits >> kMantissaBits);
-  float f = intBitsToFloat((bits & ((1 << kMantissaBits) - 1)) | kOneBits) - 1.0;
-  return (octave + f * (4.0 - f) * (1.0 / 3.0)) * (1.0 / float(kHdrOctaves));
-}
-
-float HdrValue(float code) {
-  float logarithm = code * float(kHdrOctaves);
-  int octave = int(logarithm);
-  float f = 2.0 - sqrt(max(4.0 - 3.0 * (logarithm - float(octave)), 0.0));
-  int bits = floatBitsToInt(1.0 + f) + (octave << kMantissaBits);
-  return min((intBitsToFloat(bits) - 1.0) * (1.0 / kHdrGain), kLargestHdr);
-}
-
-float EncodeChannel(float x) {
-  if (ENCODING == kColorEncodingLinearHdr) {
-    return HdrCode(x > 0.0 && !IsNan(x) ? min(x, kLargestHdr) : 0.0);
-  }
-  return IsFinite(x) ? clamp(x, 0.0, 1.0) : 0.0;
-}
-
-vec3 EncodeColor(vec3 color) {
-  return vec3(EncodeChannel(color.r), EncodeChannel(color.g), EncodeChannel(color.b));
-}
-
-vec3 DecodeColor(vec3 code) {
-  if (ENCODING != kColorEncodingLinearHdr) return code;
-  return vec3(HdrValue(code.r), HdrValue(code.g), HdrValue(code.b));
-}
-
 // A sample of the render grid as the passes work on it; beyond the edges the outermost.
 vec3 LoadColor(sampler2D image, ivec2 p) {
   p = clamp(p, ivec2(0), frame.render_size - 1);
@@ -142,8 +95,7 @@ vec3 LoadColor(sampler2D image, ivec2 p) {
 float LoadDepth(sampler2D image, ivec2 p) {
   p = clamp(p, ivec2(0), frame.render_size - 1);
   float z = texelFetch(image, p, 0).r;
-  float depth = DEPTH_BUFFER ? 1.0 / (frame.depth_a + frame.depth_b * z) : frame.depth_a * z;
-  return !IsNan(depth) && depth >= 0.0 && depth < kFarthestDepth ? depth : kFarthestDepth;
+  return CleanDepth(z, frame.depth_a, frame.depth_b);
 }
 
 // Motion in render pixels; kNoMotion in x where either component is not finite. That points out of
@@ -155,26 +107,5 @@ vec2 LoadMotion(sampler2D image, ivec2 p) {
 }
 
 // runtime/gates.h.
-float Gate(float x, float threshold, float width) {
-  float ramp = threshold * width;
-  if (!(ramp > 0.0)) return x <= threshold ? 1.0 : 0.0;
-  return clamp((threshold + ramp - x) / (ramp + ramp), 0.0, 1.0);
-}
-
-float DepthDifference(float a, float b) {
-  if (DEPTH == kDepthMeasureNone) return 0.0;
-  if (DEPTH == kDepthMeasureAbsolute) return a - b;
-  return (a - b) / max(min(a, b), 1e-12);
-}
-
 float SampleWeight(float distance_) { return max(1.0 - frame.blend_b * distance_, 0.0); }
 float BlendShare(float weight) { return min(frame.blend_a * weight, 1.0); }
-
-// The weights of the taps -1 to 2 (luts/filters.h).
-vec4 KeysTaps(float a, float d) {
-  float e = 1.0 - d;
-  float outer0 = a * d * e * e;
-  float outer3 = a * e * d * d;
-  float inner1 = ((a + 2.0) * d - (a + 3.0)) * d * d + 1.0;
-  return vec4(outer0, inner1, 1.0 - inner1 - outer0 - outer3, outer3);
-}

@@ -1,0 +1,59 @@
+// Frame generation on a GPU: the passes of runtime/frame_generation.h as compute shaders.
+//
+// An engine binds its own images in place of the uploads here. docs/GPU.md lists passes, resources
+// and formats.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/frame_generation.h"
+#include "runtime/gpu/input_conventions.h"
+#include "runtime/gpu/pass_sequence.h"
+
+namespace warplut {
+
+// The format of codes, coefficients and generated frames for colours of this format: RGBA32F for
+// itself, RGBA16F for others.
+constexpr PixelFormat GeneratedFormat(PixelFormat color) {
+  return color == PixelFormat::kRgba32F ? PixelFormat::kRgba32F : PixelFormat::kRgba16F;
+}
+
+class GpuFrameGeneration {
+ public:
+  // Whether the GPU has passes for the options, whose IsValid holds: a linear or quadratic motion
+  // model. Also false where the device cannot hold the images. *why (if not null) is a sentence.
+  static bool IsRunnable(const VulkanDevice& device, const FrameGenerationOptions& options,
+                         std::string* why = nullptr);
+
+  // Runnable options; `format` is kRgba16F or kRgba32F, that of codes, coefficients and generated
+  // frames. The table is copied. The motion filter runs on the processor, before the upload; with
+  // it the conventions must be the default ones. The device outlives the object. A GpuError where
+  // memory cannot be had.
+  GpuFrameGeneration(const VulkanDevice& device, const FrameGenerationOptions& options,
+                     PixelFormat format, const InputConventions& conventions = {});
+  ~GpuFrameGeneration();
+
+  // As those of FrameGeneration; they wait for the frame. A frame with an id (DisplayedFrame::id)
+  // is uploaded and filtered once. A source that is shown as it is, is copied by the processor. A
+  // GpuError if the device fails, or at the first call if it does not take a shader.
+  //
+  // The largest differences from FrameGeneration are those of tests/runtime/gpu.
+  void Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
+                   const MutableImageView& out);
+  void Extrapolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
+                   const MutableImageView& out);
+
+  // Times of the passes of the last frame that was generated; empty where the device has no
+  // timestamps.
+  std::vector<PassTime> Times() const;
+  // Bytes of all images and buffers.
+  std::size_t MemoryBytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace warplut
