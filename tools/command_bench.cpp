@@ -4,6 +4,7 @@
 
 #include "tools/bench/benchmark_tables.h"
 #include "tools/command.h"
+#include "tools/device.h"
 
 namespace warplut {
 namespace {
@@ -103,6 +104,32 @@ void AddBenchSr(Command bench, CommandRun* run) {
       [options, json, run] { *run = [options, json] { return RunBenchSr(*options, *json); }; });
 }
 
+ExitCode RunBenchPasses(const PassBenchmarkOptions& options, bool json) {
+  std::string why;
+  RequireUsage(options.IsValid(&why), why);
+  PrintBenchmark(RunPassBenchmark(options), json);
+  return ExitCode::kDone;
+}
+
+void AddBenchPasses(Command bench, CommandRun* run) {
+  const auto options = std::make_shared<PassBenchmarkOptions>();
+  const auto json = std::make_shared<bool>(false);
+  const auto device = std::make_shared<std::string>(DeviceNames().back());
+  Command command = bench.AddCommand(
+      "passes", "Time each pass of super resolution and frame generation on a GPU");
+  command.Add("--device", *device, "Device that runs the passes")
+      .OneOf({DeviceNames().back()})
+      .ShowDefault();
+  command.Add("--width", options->width, "Width of the output in pixels").ShowDefault();
+  command.Add("--height", options->height, "Height of the output in pixels").ShowDefault();
+  command.Add("--scale", options->scale, "Upscale factor, output / render").ShowDefault();
+  command.Add("--repeats", options->repeats, "Number of timed frames of each mode").ShowDefault();
+  AddJsonOption(command, json.get());
+  command.OnParsed([options, json, device, run] {
+    *run = [options, json] { return RunBenchPasses(*options, *json); };
+  });
+}
+
 }  // namespace
 
 void AddBenchCommand(Command app, CommandRun* run) {
@@ -139,6 +166,7 @@ void AddBenchCommand(Command app, CommandRun* run) {
   command.OnParsed([ssim, run] { *run = [ssim] { return RunBenchSsim(*ssim); }; });
   AddBenchGeneration(bench, run);
   AddBenchSr(bench, run);
+  AddBenchPasses(bench, run);
 }
 
 }  // namespace warplut

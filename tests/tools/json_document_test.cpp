@@ -75,6 +75,9 @@ TEST(JsonDocument, OfExpensiveCommandsIsDocumented) {
   EXPECT_THAT(
       JsonFaults(ToJson(std::vector<GenerationBenchmarkRow>(1)), KeysOf("bench generation")),
       IsEmpty());
+  PassBenchmark passes;
+  passes.rows.emplace_back();
+  EXPECT_THAT(JsonFaults(ToJson(passes), KeysOf("bench passes")), IsEmpty());
   StabilityOutcome outcome = {.stability_case = StabilityCases().front(), .result = {}};
   EXPECT_THAT(JsonFaults(ToJson(std::vector{outcome}), KeysOf("stability")), IsEmpty());
   outcome.stability_case.failing = "It fails.";

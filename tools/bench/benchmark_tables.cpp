@@ -90,6 +90,12 @@ const Columns<GenerationRow> kGenerationColumns = {
     {"memory_images", "memory",
      [](const GenerationRow& row) { return NumberCell(row.memory, 2); }}};
 
+using PassRow = PassBenchmarkRow;
+const Columns<PassRow> kPassColumns = {
+    {"mode", "mode", [](const PassRow& row) { return TextCell(row.mode); }},
+    {"pass", "pass", [](const PassRow& row) { return TextCell(row.pass); }},
+    {"ms", "ms [min, max]", [](const PassRow& row) { return RatioCell(row.time); }}};
+
 // The first `words` columns hold words.
 template <class Row>
 std::string RowsText(const Columns<Row>& columns, const std::vector<Row>& rows, std::size_t words) {
@@ -117,6 +123,11 @@ std::string ToText(const std::vector<GenerationBenchmarkRow>& rows) {
          RowsText(kGenerationColumns, rows, 4) + "memory: in RGBA16F images.\n";
 }
 
+std::string ToText(const PassBenchmark& benchmark) {
+  return fmt::format("Passes on {}; median of the device's milliseconds\n{}", benchmark.device,
+                     RowsText(kPassColumns, benchmark.rows, 2));
+}
+
 std::string ToText(const SsimBenchmark& b) {
   return fmt::format(
       "SSIM with gradient, one thread: {:.0f} Mpixel/s ({:.0f} wanted), {:.0f} with preparing the "
@@ -137,6 +148,10 @@ Json ToJson(const std::vector<SrBenchmarkRow>& rows) {
 
 Json ToJson(const std::vector<GenerationBenchmarkRow>& rows) {
   return {{"rows", RecordsJson(kGenerationColumns, rows)}};
+}
+
+Json ToJson(const PassBenchmark& benchmark) {
+  return {{"device", benchmark.device}, {"rows", RecordsJson(kPassColumns, benchmark.rows)}};
 }
 
 Json ToJson(const SsimBenchmark& b) {

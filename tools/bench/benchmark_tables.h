@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/bench/generation_benchmark.h"
+#include "tools/bench/pass_benchmark.h"
 #include "tools/bench/sr_benchmark.h"
 #include "tools/bench/ssim_benchmark.h"
 #include "tools/bench/warp_benchmark.h"
@@ -16,12 +17,14 @@ namespace warplut {
 std::string ToText(const WarpBenchmark& benchmark);
 std::string ToText(const std::vector<SrBenchmarkRow>& rows);
 std::string ToText(const std::vector<GenerationBenchmarkRow>& rows);
+std::string ToText(const PassBenchmark& benchmark);
 std::string ToText(const SsimBenchmark& benchmark);
 
 // docs/JSON.md lists the keys.
 Json ToJson(const WarpBenchmark& benchmark);
 Json ToJson(const std::vector<SrBenchmarkRow>& rows);
 Json ToJson(const std::vector<GenerationBenchmarkRow>& rows);
+Json ToJson(const PassBenchmark& benchmark);
 Json ToJson(const SsimBenchmark& benchmark);
 
 }  // namespace warplut
