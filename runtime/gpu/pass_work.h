@@ -1,9 +1,11 @@
-// The work of the passes of super resolution on a GPU, and the least time that takes.
+// The work of the passes of super resolution and frame generation on a GPU, and the least time that
+// takes.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "runtime/frame_generation.h"
 #include "runtime/super_resolution.h"
 
 namespace warplut {
@@ -27,6 +29,11 @@ struct InputBytes {
 // The passes of a frame in their order, with a history in RGBA16F. Counts follow
 // runtime/gpu/shaders by hand. The options have the default form, clamp, depth measure and motion.
 std::vector<PassWork> WorkOf(const SuperResolutionOptions& options, const InputBytes& inputs = {});
+
+// Those of one generated frame, of which frame 1 is new. The options have display values, splatting
+// and the default choices.
+std::vector<PassWork> WorkOf(const FrameGenerationOptions& options, bool interpolates,
+                             const InputBytes& inputs = {});
 
 // One warp by Catmull-Rom in 9 fetches that filter, for comparison.
 PassWork NineTapWarp(const SuperResolutionOptions& options);

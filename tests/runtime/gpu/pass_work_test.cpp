@@ -36,5 +36,23 @@ TEST(PassWork, WarpingAndBlendingAreWithinThePublishedTime) {
   EXPECT_GT(Milliseconds(baked::kWarplutIirX2, false), Milliseconds(baked::kWarplutSrX2, false));
 }
 
+// Extrapolation warps one frame, interpolation two; both splat alike.
+TEST(PassWork, AnExtrapolatedFrameIsLessWork) {
+  const Table table(baked::kWarplutSrX2);
+  FrameGenerationOptions options;
+  options.width = 1920;
+  options.height = 1080;
+  options.warp = {.filter = Filter::kLut, .table = &table};
+  const std::vector<PassWork> two = WorkOf(options, true), one = WorkOf(options, false);
+  ASSERT_EQ(two.size(), one.size());
+  for (std::size_t i = 0; i + 1 < two.size(); ++i) {
+    EXPECT_EQ(two[i].pass, one[i].pass);
+    EXPECT_EQ(two[i].bytes, one[i].bytes);
+  }
+  EXPECT_GT(two.back().fetches, one.back().fetches + 32);
+  EXPECT_GT(two.back().operations, one.back().operations);
+  EXPECT_GT(two.back().bytes, one.back().bytes);
+}
+
 }  // namespace
 }  // namespace warplut
