@@ -96,7 +96,7 @@ if [ "$what" = --full ]; then
   configure_and_build runtime-only
   run_tests runtime-only
   configure_and_build asan-ubsan test_compatibility test_datasets test_fuzz test_generation test_luts \
-    test_runtime test_soak test_sr test_stability test_train test_train_kernels
+    test_peers test_runtime test_soak test_sr test_stability test_train test_train_kernels
   run_tests asan-ubsan --exclude-regex '_NOT_BUILT$'
   if has_fuzzer; then
     step "fuzz"
