@@ -26,8 +26,21 @@ class TestJob {
   }
 
   SrJob View() const {
-    return {options,    x,    y,  planes, nearest, farthest, x.jitter(),
-            y.jitter(), true, {}, {},     {},      nullptr,  nullptr};
+    return {.options = options,
+            .x = x,
+            .y = y,
+            .planes = planes,
+            .nearest_before = nearest,
+            .farthest_before = farthest,
+            .jitter_x_before = x.jitter(),
+            .jitter_y_before = y.jitter(),
+            .has_history = true,
+            .history = {},
+            .coefficients = {},
+            .next = {},
+            .next_state = {},
+            .residual = nullptr,
+            .aliasing = nullptr};
   }
 
   SuperResolutionOptions options;
