@@ -6,10 +6,6 @@
 namespace warplut::generation {
 namespace {
 
-// How a disocclusion is found in frame 0: steps, and how near the last one comes, in pixels.
-constexpr int kSearchSteps = 6;
-constexpr float kSearchClosure = 0.5f;
-
 // Steps of `direction` from p that stay in [0, size).
 int Reach(int p, int direction, int size) {
   return direction < 0 ? p : direction > 0 ? size - 1 - p : kBackgroundReach;

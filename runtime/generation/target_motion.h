@@ -36,6 +36,10 @@ struct Arrivals {
 // How far the search for background goes, in pixels along each of the 8 directions.
 inline constexpr int kBackgroundReach = 64;
 
+// How a disocclusion is found in frame 0: steps, and how near the last one comes, in pixels.
+inline constexpr int kSearchSteps = 6;
+inline constexpr float kSearchClosure = 0.5f;
+
 // |DepthDifference| <= T_D without its division, for depths of arrivals and kNoArrivalDepth.
 struct DepthTolerance {
   float absolute, relative;

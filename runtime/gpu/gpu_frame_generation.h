@@ -22,8 +22,9 @@ constexpr PixelFormat GeneratedFormat(PixelFormat color) {
 
 class GpuFrameGeneration {
  public:
-  // Whether the GPU has passes for the options, whose IsValid holds: a linear or quadratic motion
-  // model. Also false where the device cannot hold the images. *why (if not null) is a sentence.
+  // Whether the GPU has passes for the options, whose IsValid holds: a motion model of choices.h,
+  // and no peer. Also false where the device cannot hold the images. *why (if not null) is a
+  // sentence.
   static bool IsRunnable(const VulkanDevice& device, const FrameGenerationOptions& options,
                          std::string* why = nullptr);
 

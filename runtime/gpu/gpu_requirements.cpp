@@ -56,10 +56,11 @@ bool GpuFrameGeneration::IsRunnable(const VulkanDevice& device,
                                     const FrameGenerationOptions& options, std::string* why) {
   if (options.peer != nullptr) return Refused(kNoPeers, why);
   const MotionModel model = ModelOf(options);
-  if (model != MotionModel::kLinear && model != MotionModel::kQuadratic) {
-    return Refused(
-        std::string("the motion model is '") + Name(model) + "'; the GPU has linear and quadratic",
-        why);
+  if (model != MotionModel::kLinear && model != MotionModel::kQuadratic &&
+      model != MotionModel::kPerspective) {
+    return Refused("the motion model is " + std::to_string(static_cast<int>(model)) +
+                       "; the GPU has linear, quadratic and perspective",
+                   why);
   }
   return Holds(device, options.width, options.height, PixelFormat::kRgba32F, why);
 }

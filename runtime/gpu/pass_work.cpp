@@ -69,7 +69,10 @@ std::vector<PassWork> WorkOf(const SuperResolutionOptions& options, const InputB
 std::vector<PassWork> WorkOf(const FrameGenerationOptions& options, bool interpolates,
                              const InputBytes& inputs) {
   constexpr double kKey = 8, kWord = 4;
-  constexpr double kForward = 30;  // operations of a displacement and its nearest pixel
+  // A displacement and its nearest pixel: depth and motion of the pixel and of the four around its
+  // place in frame 0; both nearest pixels, the place and its weights, the four, the surface, the
+  // path.
+  constexpr double kForwardFetches = 2 + 4 * 2, kForward = 2 * 6 + 14 + 4 * 16 + 12 + 32;
   const double pixels = 1.0 * options.width * options.height;
   const double frames = interpolates ? 2 : 1;
   std::vector<PassWork> work;
@@ -77,14 +80,14 @@ std::vector<PassWork> WorkOf(const FrameGenerationOptions& options, bool interpo
   work.push_back({"fill", pixels, 0, 0, kKey});
   // Motion and depth of both frames; an atomic reads and writes its word.
   const double moving = 2.0 * (inputs.motion + inputs.depth);
-  work.push_back({"splat depth", pixels, 4, kForward, moving + 2 * kWord});
-  work.push_back({"splat source", pixels, 4 + 1, kForward, moving + 3 * kWord});
+  work.push_back({"splat depth", pixels, kForwardFetches, kForward, moving + 2 * kWord});
+  work.push_back({"splat source", pixels, kForwardFetches + 1, kForward, moving + 3 * kWord});
   // The depths of 9 arrivals, the displacement of one, the depths around both sources, the blend.
   const WarpWork warp = WorkOfWarp(options.warp);
   const double share_fetches = interpolates ? 2 * 9 : 0;
   const double share_operations = interpolates ? 2 * 9 * 3 + 40 : 0;
   work.push_back({interpolates ? "interpolate" : "extrapolate", pixels,
-                  9 + 1 + 4 + share_fetches + frames * warp.fetches,
+                  9 + 1 + kForwardFetches + share_fetches + frames * warp.fetches,
                   9 * 6 + kForward + share_operations + frames * (warp.operations + 20),
                   kKey + moving + frames * kTexel + kTexel});
   return work;

@@ -12,6 +12,7 @@
 #include "runtime/color_encoding.h"
 #include "runtime/filter.h"
 #include "runtime/generation/blend.h"
+#include "runtime/generation/surface_before.h"
 #include "runtime/generation/target_motion.h"
 #include "runtime/motion/motion_split.h"
 #include "runtime/prefilter.h"
@@ -72,6 +73,7 @@ void PrintAll() {
   PrintEnum("kColorEncodingLinearHdr", ColorEncoding::kLinearHdr);
   PrintEnum("kMotionModelLinear", MotionModel::kLinear);
   PrintEnum("kMotionModelQuadratic", MotionModel::kQuadratic);
+  PrintEnum("kMotionModelPerspective", MotionModel::kPerspective);
   PrintEnum("kDisocclusionFillOwnMotion", DisocclusionFill::kOwnMotion);
   PrintEnum("kDisocclusionFillBackground", DisocclusionFill::kBackground);
   PrintEnum("kDisocclusionFillNone", DisocclusionFill::kNone);
@@ -108,6 +110,11 @@ void PrintAll() {
   Print("kNoArrival", generation::SplatSource(generation::kNoSplat));
   Print("kNoArrivalDepth", generation::kNoArrivalDepth);
   Print("kBackgroundReach", generation::kBackgroundReach);
+  Print("kSearchSteps", generation::kSearchSteps);
+  Print("kSearchClosure", generation::kSearchClosure);
+  Print("kSurfaceTolerance", generation::kSurfaceTolerance);
+  Print("kLeastSurfaceDepth", generation::kLeastSurfaceDepth);
+  Print("kLeastDepthRatio", generation::kLeastDepthRatio);
   Print("kBrightnessWeights", generation::kBrightnessWeights);
   Print("kUnlike", generation::kUnlike);
 

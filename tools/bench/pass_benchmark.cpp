@@ -92,7 +92,6 @@ void TimeGeneration(const VulkanDevice& device, const PassBenchmarkOptions& benc
   options.width = benchmark.width;
   options.height = benchmark.height;
   options.warp = warp;
-  options.motion_model = MotionModel::kQuadratic;
   std::string why;
   if (!GpuFrameGeneration::IsRunnable(device, options, &why)) throw Error(why);
   const BenchScene scene({.width = benchmark.width,

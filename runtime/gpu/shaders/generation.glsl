@@ -6,7 +6,7 @@
 #include "formulas.glsl"
 
 // Choices of FrameGenerationOptions, as in runtime/choices.h; and which frame is made.
-layout(constant_id = 12) const int MODEL = kMotionModelQuadratic;
+layout(constant_id = 12) const int MODEL = kMotionModelPerspective;
 layout(constant_id = 13) const bool SPLAT = true;
 layout(constant_id = 14) const bool REFINE = true;
 layout(constant_id = 15) const int FILL = kDisocclusionFillOwnMotion;
@@ -65,10 +65,17 @@ ivec2 NearestPixel(ivec2 p, vec2 d) {
   return inside ? ivec2(f) : ivec2(-1);
 }
 
-// Displacement of pixel p of frame 1 to the generated frame; not finite where it has no motion.
+// Whether the path is that of the perspective model; where frame 0 is a cut it is linear.
+bool FollowsPerspective() {
+  return MODEL == kMotionModelPerspective && frame.counts_motion0 != 0;
+}
+#include "perspective.glsl"
+
+// Displacement of pixel p of frame 1 to the generated frame; not finite where it arrives nowhere.
 vec2 ForwardDisplacement(ivec2 p) {
   vec2 m1 = MotionAt(motion1, p);
   if (!IsFiniteVector(m1)) return Nowhere();
+  if (FollowsPerspective()) return PerspectiveDisplacement(p, m1);
   precise vec2 m0 = m1;
   if (MODEL == kMotionModelQuadratic && frame.counts_motion0 != 0) {
     ivec2 p0 = NearestPixel(p, -m1);

@@ -75,9 +75,9 @@ int Reach(int p, int direction, int size) {
   return direction < 0 ? p : direction > 0 ? size - 1 - p : kBackgroundReach;
 }
 
-// The motion of the farthest of the first arrivals in 8 directions; zero if there are none. Of
-// equally far ones the first direction counts.
-TargetMotion Background(ivec2 p) {
+// The source of the farthest of the first arrivals in 8 directions; kNoArrival if there are none.
+// Of equally far ones the first direction counts.
+uint Background(ivec2 p) {
   const ivec2 kDirections[8] =
       ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, 1),
                ivec2(1, -1), ivec2(-1, -1));
@@ -99,13 +99,71 @@ TargetMotion Background(ivec2 p) {
       break;
     }
   }
-  if (farthest == kNoArrival) return TargetMotion(vec2(0.0), vec2(0.0));
-  return Arrived(farthest);
+  return farthest;
+}
+
+// From frame 0 to the generated frame, and to frame 1.
+struct SteadyMotion {
+  vec2 to_generated;
+  vec2 to_frame1;
+};
+
+// A pixel of frame 0 that goes on steadily in homogeneous coordinates; `loss` is the depth that it
+// loses from frame to frame.
+SteadyMotion GoOn(vec2 m0, float z0, float loss) {
+  precise float before = z0 + loss;
+  precise vec2 to_generated = frame.alpha * before / (z0 - frame.alpha * loss) * m0;
+  precise vec2 to_frame1 = before / (z0 - loss) * m0;
+  return SteadyMotion(to_generated, to_frame1);
+}
+
+// The pixel of frame 0 that arrives at p as it goes on, by fixed-point steps from the motion of the
+// background; false if they end nowhere.
+bool FoundInFrame0(ivec2 p, uint background, TargetMotion arrived, out TargetMotion motion) {
+  motion = arrived;
+  ivec2 b = PixelOfIndex(background);
+  vec2 m1 = MotionAt(motion1, b);
+  SurfaceBefore surface = FindSurfaceBefore(b, m1);
+  if (!(surface.gate > 0.0)) return false;
+  float depth = DepthAt(depth1, b);
+  precise float loss = depth * (surface.ratio - 1.0);
+  precise float depth_before = depth * surface.ratio;
+  precise float least = 2.0 * abs(loss);
+  if (!(depth_before > least)) return false;
+  SteadyMotion steady = GoOn(surface.motion, depth_before, loss);
+  precise vec2 bend0 = arrived.from0 - steady.to_generated;
+  precise vec2 bend1 = m1 - steady.to_frame1;
+  precise vec2 from0 = arrived.from0;
+  precise vec2 whole = m1;
+  precise vec2 off = vec2(0.0);
+  for (int step_ = 0; step_ < kSearchSteps; ++step_) {
+    ivec2 p0 = NearestPixel(p, -from0);
+    if (p0.x < 0) return false;
+    vec2 m0 = MotionAt(motion0, p0);
+    float z0 = DepthAt(depth0, p0);
+    if (!IsFiniteVector(m0) || !(z0 > least)) return false;
+    SteadyMotion here = GoOn(m0, z0, loss);
+    precise vec2 next = here.to_generated + bend0;
+    off = abs(next - from0);
+    from0 = next;
+    whole = here.to_frame1 + bend1;
+  }
+  if (!(max(off.x, off.y) <= kSearchClosure)) return false;
+  precise vec2 from1 = from0 - whole;
+  motion = TargetMotion(from0, from1);
+  return true;
 }
 
 // The motion of a pixel at which nothing arrived.
 TargetMotion Disocclusion(ivec2 p) {
-  if (INTERPOLATES || FILL == kDisocclusionFillBackground) return Background(p);
+  if (INTERPOLATES || FILL == kDisocclusionFillBackground) {
+    uint background = Background(p);
+    if (background == kNoArrival) return TargetMotion(vec2(0.0), vec2(0.0));
+    TargetMotion arrived = Arrived(background);
+    TargetMotion found;
+    bool shown = INTERPOLATES && FollowsPerspective() && FoundInFrame0(p, background, arrived, found);
+    return shown ? found : arrived;
+  }
   vec2 own = FILL == kDisocclusionFillOwnMotion ? ForwardDisplacement(p) : vec2(0.0);
   return TargetMotion(vec2(0.0), IsFiniteVector(own) ? own : vec2(0.0));
 }

@@ -18,8 +18,9 @@ namespace warplut {
 //
 // 32-bit: sums are added in another order and multiplied without fusing, and the processor's fast
 // passes have rounding of their own: some 2^-20 a frame, which the history hands on. `rare` is the
-// share of channels that may exceed `worst`: gates and roundings to the nearest sample are steps,
-// and where an input lies on one within rounding, the two may fall on different sides.
+// share of channels that may exceed `worst`: gates, roundings to the nearest sample and the choice
+// of a surface in frame 0 are steps, and where an input lies on one within rounding, the two may
+// fall on different sides.
 // 16-bit: each pass rounds what it stores to halves, units of 2^-11 near 1; the GPU stores the
 // coefficients between the axes, the boxes and the residuals too, the processor only the history.
 struct GpuBound {

@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <random>
 
 #include "luts/baked/warplut_iir_x2.h"
 #include "luts/baked/warplut_t24_x2.h"
 #include "luts/baked/warplut_x2.h"
-#include "tests/runtime/generation/generation_fixture.h"
+#include "tests/runtime/generation/camera_travel.h"
 #include "tests/runtime/gpu/gpu_fixture.h"
 
 namespace warplut {
@@ -59,6 +60,7 @@ std::vector<Case> Cases() {
       {.name = "Default"},
       {.name = "DefaultInHalves", .format = PixelFormat::kRgba16F},
       With("LinearMotion", &Options::motion_model, MotionModel::kLinear),
+      With("QuadraticMotion", &Options::motion_model, MotionModel::kQuadratic),
       With("FillBackground", &Options::fill, DisocclusionFill::kBackground),
       With("FillNone", &Options::fill, DisocclusionFill::kNone),
       With("NoRefinement", &Options::refine, false),
@@ -95,6 +97,10 @@ std::vector<Case> Cases() {
        .configure = [](auto& options) { options.splat = false; },
        .broken = true,
        .largest = 4},
+      {.name = "BrokenWithQuadraticMotion",
+       .configure = [](auto& options) { options.motion_model = MotionModel::kQuadratic; },
+       .broken = true,
+       .largest = 4},
       {.name = "CutBefore", .cut0 = true},
       {.name = "Cut", .cut1 = true},
   };
@@ -111,6 +117,7 @@ class GpuFrameGenerationTest : public GpuTest {
  protected:
   static FrameGenerationOptions OptionsOf(const GeneratedTestFrame& frame) {
     FrameGenerationOptions options = generation::OptionsFor(frame);
+    options.motion_model = FrameGenerationOptions{}.motion_model;
     options.warp = {.filter = Filter::kLut, .table = &IirTable()};
     return options;
   }
@@ -169,6 +176,52 @@ TEST_P(GpuFrameGenerationCase, Agrees) {
     gpu.Extrapolate(before, now, alpha, found.view());
     ExpectClose(Displayed(found, options.encoding), Displayed(expected, options.encoding), bound,
                 "extrapolated by " + std::to_string(alpha));
+  }
+}
+
+class GpuFrameGenerationFormat : public GpuFrameGenerationTest,
+                                 public testing::WithParamInterface<PixelFormat> {};
+INSTANTIATE_TEST_SUITE_P(Formats, GpuFrameGenerationFormat,
+                         testing::Values(PixelFormat::kRgba32F, PixelFormat::kRgba16F),
+                         [](const auto& test) { return std::string(Name(test.param)); });
+
+// A camera that travels over a ground: depth bends the paths, and ground leaves the image.
+TEST_P(GpuFrameGenerationFormat, FollowsACamera) {
+  const PixelFormat format = GetParam();
+  GeneratedTestFrame frame0 = generation::Travel{}.Frame(0, format);
+  GeneratedTestFrame frame1 = generation::Travel{}.Frame(1, format);
+  const int width = frame0.color.width(), height = frame0.color.height();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  for (int i = 0; i < 3 * width * height; ++i) {
+    frame0.color.Set(i / 3 % width, i / 3 / width, i % 3, uniform(random));
+    frame1.color.Set(i / 3 % width, i / 3 / width, i % 3, uniform(random));
+  }
+  FrameGenerationOptions options = OptionsOf(frame0);
+  ASSERT_EQ(options.motion_model, MotionModel::kPerspective);
+  SerialExecutor executor;
+  FrameGeneration cpu(options, executor);
+  GpuFrameGeneration gpu(device(), options, format);
+  options.motion_model = MotionModel::kQuadratic;
+  FrameGeneration quadratic(options, executor);
+  ImageBuffer expected(width, height, PixelFormat::kRgba32F);
+  ImageBuffer found(width, height, PixelFormat::kRgba32F);
+  ImageBuffer other(width, height, PixelFormat::kRgba32F);
+  const GpuBound& bound = format == PixelFormat::kRgba32F ? kGpuBound32 : kGpuBound16;
+  const auto generate = [&](auto& passes, bool interpolates, ImageBuffer& out) {
+    if (interpolates) {
+      passes.Interpolate(frame0.view(), frame1.view(), 0.5f, out.view());
+    } else {
+      passes.Extrapolate(frame0.view(), frame1.view(), 0.5f, out.view());
+    }
+  };
+  for (const bool interpolates : {true, false}) {
+    generate(cpu, interpolates, expected);
+    generate(gpu, interpolates, found);
+    generate(quadratic, interpolates, other);
+    ExpectClose(found, expected, bound, interpolates ? "interpolated" : "extrapolated");
+    // The frames tell the models apart.
+    EXPECT_GT(Difference(other, expected, bound.worst).mean, 10 * bound.mean);
   }
 }
 
@@ -234,7 +287,7 @@ TEST_F(GpuFrameGenerationTest, RefusesWhatItLacks) {
   std::string why;
   options.motion_model = static_cast<MotionModel>(99);
   EXPECT_FALSE(GpuFrameGeneration::IsRunnable(device(), options, &why));
-  EXPECT_EQ(why, "the motion model is ''; the GPU has linear and quadratic");
+  EXPECT_EQ(why, "the motion model is 99; the GPU has linear, quadratic and perspective");
   options.motion_model = MotionModel::kLinear;
   options.width = 1 << 15;
   EXPECT_FALSE(GpuFrameGeneration::IsRunnable(device(), options, &why));
