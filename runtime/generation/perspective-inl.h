@@ -73,6 +73,8 @@ HWY_INLINE SurfacesBefore FindSurfacesBefore(const GenerationJob& job, int x, fl
     const auto is_anchor = hn::And(hn::And(hn::Gt(taps.weight[k], zero), taps.counts[k]), nearer);
     anchor = hn::IfThenElse(is_anchor, taps.depth[k], anchor);
   }
+  const auto not_zero = [&](Floats depth)
+                            HWY_ATTR { return hn::Max(depth, hn::Set(d, kLeastSurfaceDepth)); };
   auto total = zero, inverse = zero, sum_x = zero, sum_y = zero;
   for (int k = 0; k < 4; ++k) {
     const auto tolerance = hn::Mul(hn::Set(d, kSurfaceTolerance), hn::Min(taps.depth[k], anchor));
@@ -80,18 +82,18 @@ HWY_INLINE SurfacesBefore FindSurfacesBefore(const GenerationJob& job, int x, fl
         hn::And(taps.counts[k], hn::Le(hn::Abs(hn::Sub(taps.depth[k], anchor)), tolerance));
     const auto weight = hn::IfThenElseZero(alike, taps.weight[k]);
     total = hn::Add(total, weight);
-    const auto depth = hn::Max(taps.depth[k], hn::Set(d, kLeastSurfaceDepth));
-    inverse = hn::Add(inverse, hn::Div(weight, depth));
+    const auto nearness = hn::Div(not_zero(anchor), not_zero(taps.depth[k]));
+    inverse = hn::Add(inverse, hn::IfThenElseZero(alike, hn::Mul(weight, nearness)));
     sum_x = hn::Add(sum_x, hn::IfThenElseZero(alike, hn::Mul(weight, taps.motion_x[k])));
     sum_y = hn::Add(sum_y, hn::IfThenElseZero(alike, hn::Mul(weight, taps.motion_y[k])));
   }
   const auto one = hn::Set(d, 1.0f);
   const auto share = hn::Div(one, total);
-  const auto depth0 = hn::Min(hn::Div(total, inverse), hn::Set(d, kFarthestDepth));
+  const auto depth0 = hn::Min(hn::Mul(hn::Div(total, inverse), anchor), hn::Set(d, kFarthestDepth));
   const auto difference = DepthDifferences(DepthOf(job.options), depth0, depth1);
   const auto gate = Gates(hn::Abs(difference), job.depth_threshold(), job.options.gate_width);
   const auto found = hn::And(inside, hn::And(hn::Gt(total, zero), hn::Gt(gate, zero)));
-  const auto ratio = hn::Div(depth0, hn::Max(depth1, hn::Set(d, kLeastSurfaceDepth)));
+  const auto ratio = hn::Div(not_zero(depth0), not_zero(depth1));
   return {hn::IfThenElse(found, hn::Mul(share, sum_x), mx),
           hn::IfThenElse(found, hn::Mul(share, sum_y), my), hn::IfThenElse(found, ratio, one),
           hn::IfThenElseZero(found, gate)};

@@ -2,6 +2,8 @@
 // perspective motion model takes of it.
 #pragma once
 
+#include <algorithm>
+
 #include "runtime/generation/generation_job.h"
 
 namespace warplut::generation {
@@ -9,11 +11,14 @@ namespace warplut::generation {
 // Taps belong to one surface if their depths differ by at most this, relative to the lesser one.
 inline constexpr float kSurfaceTolerance = 0.1f;
 
-// No depth that is divided by is less.
+// No depth that is divided by is less. What depths give depends on their ratios alone, above this.
 inline constexpr float kLeastSurfaceDepth = 1e-12f;
 
 // Paths whose depth over that of frame 1 is less pass the camera.
 inline constexpr float kLeastDepthRatio = 1.0f / 16;
+
+// A depth that can be divided by.
+inline float NotZero(float depth) { return std::max(depth, kLeastSurfaceDepth); }
 
 struct SurfaceBefore {
   Vector motion;    // m0
@@ -25,8 +30,8 @@ struct SurfaceBefore {
 // border beyond it) count those whose motion is finite and whose depth is within kSurfaceTolerance
 // of the anchor's. The anchor is, of those with a weight, the one whose depth is nearest to z1, the
 // first of equals. m0 is bilinear among them, z0 in 1 / z, which is linear on the screen for a
-// plane. The gate is that of |DepthDifference| of z0 and z1. It is 0 where p0 is outside of the
-// image.
+// plane; where all depths are equal z0 is that depth to the bit. The gate is that of
+// |DepthDifference| of z0 and z1. It is 0 where p0 is outside of the image.
 SurfaceBefore FindSurfaceBefore(const GenerationJob& job, int x, int y, Vector m1);
 
 }  // namespace warplut::generation

@@ -32,16 +32,16 @@ SurfaceBefore FindSurfaceBefore(const GenerationJob& job, int x, int y, Vector m
     const float tolerance = kSurfaceTolerance * std::min(depth[k], anchor);
     if (!IsFinite(motion[k]) || !(std::abs(depth[k] - anchor) <= tolerance)) continue;
     total += weights[k];
-    inverse += weights[k] / std::max(depth[k], kLeastSurfaceDepth);
+    inverse += weights[k] * (NotZero(anchor) / NotZero(depth[k]));
     sum = sum + weights[k] * motion[k];
   }
   if (!(total > 0.0f)) return none;
   const float share = 1.0f / total;
-  const float depth0 = std::min(total / inverse, kFarthestDepth);
+  const float depth0 = std::min(total / inverse * anchor, kFarthestDepth);
   const float difference = DepthDifference(DepthOf(job.options), depth0, depth1);
   const float gate = Gate(std::abs(difference), job.depth_threshold(), job.options.gate_width);
   if (!(gate > 0.0f)) return none;
-  return {share * sum, depth0 / std::max(depth1, kLeastSurfaceDepth), gate};
+  return {share * sum, NotZero(depth0) / NotZero(depth1), gate};
 }
 
 }  // namespace warplut::generation

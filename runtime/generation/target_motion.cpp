@@ -92,7 +92,7 @@ struct Finder {
   };
   Steady GoOn(Vector m0, float z0, float loss) const {
     const float before = z0 + loss;
-    return {job.alpha * before / (z0 - job.alpha * loss) * m0, before / (z0 - loss) * m0};
+    return {job.alpha * (before / (z0 - job.alpha * loss)) * m0, (before / (z0 - loss)) * m0};
   }
 
   // What frame 0 shows of the disocclusion at (x, y), by the motion of frame 0 itself: p0 with
@@ -105,7 +105,7 @@ struct Finder {
     const Vector m1 = MotionAt(job.motion1, bx, by);
     const SurfaceBefore before = FindSurfaceBefore(job, bx, by, m1);
     if (!(before.gate > 0.0f)) return false;
-    const float depth1 = DepthAt(job.depth1, bx, by);
+    const float depth1 = NotZero(DepthAt(job.depth1, bx, by));
     const float loss = depth1 * (before.ratio - 1.0f);
     // All depths that are divided by are more than half of the depth of frame 0.
     if (!(depth1 * before.ratio > 2.0f * std::abs(loss))) return false;
@@ -119,7 +119,7 @@ struct Finder {
       const PixelIndex p0 = NearestPixel(job, x, y, {-from0.x, -from0.y});
       if (p0.x < 0) return false;
       const Vector m0 = MotionAt(job.motion0, p0.x, p0.y);
-      const float z0 = DepthAt(job.depth0, p0.x, p0.y);
+      const float z0 = NotZero(DepthAt(job.depth0, p0.x, p0.y));
       if (!IsFinite(m0) || !(z0 > 2.0f * std::abs(loss))) return false;
       const Steady here = GoOn(m0, z0, loss);
       const Vector next = here.to_generated + bend0;

@@ -1,6 +1,9 @@
 // The way of a pixel of frame 1 by the perspective motion model: runtime/generation/motion_model.h
 // and surface_before.h, line by line. Before it comes generation.glsl.
 
+// A depth that can be divided by.
+float NotZero(float depth) { return max(depth, kLeastSurfaceDepth); }
+
 // The surface of a pixel of frame 1 in frame 0, read between the pixels of frame 0.
 struct SurfaceBefore {
   vec2 motion;
@@ -36,16 +39,16 @@ SurfaceBefore FindSurfaceBefore(ivec2 p, vec2 m1) {
     precise float tolerance = kSurfaceTolerance * min(depths[k], anchor);
     if (!IsFiniteVector(motions[k]) || !(abs(depths[k] - anchor) <= tolerance)) continue;
     total += weights[k];
-    nearness += weights[k] / max(depths[k], kLeastSurfaceDepth);
+    nearness += weights[k] * (NotZero(anchor) / NotZero(depths[k]));
     sum += weights[k] * motions[k];
   }
   if (!(total > 0.0)) return none;
   precise float share = 1.0 / total;
-  precise float before = min(total / nearness, kFarthestDepth);
+  precise float before = min(total / nearness * anchor, kFarthestDepth);
   float gate = Gate(abs(DepthDifference(before, depth)), frame.depth_threshold, frame.gate_width);
   if (!(gate > 0.0)) return none;
   precise vec2 motion = share * sum;
-  precise float ratio = before / max(depth, kLeastSurfaceDepth);
+  precise float ratio = NotZero(before) / NotZero(depth);
   return SurfaceBefore(motion, ratio, gate);
 }
 

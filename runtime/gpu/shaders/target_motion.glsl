@@ -112,8 +112,8 @@ struct SteadyMotion {
 // loses from frame to frame.
 SteadyMotion GoOn(vec2 m0, float z0, float loss) {
   precise float before = z0 + loss;
-  precise vec2 to_generated = frame.alpha * before / (z0 - frame.alpha * loss) * m0;
-  precise vec2 to_frame1 = before / (z0 - loss) * m0;
+  precise vec2 to_generated = frame.alpha * (before / (z0 - frame.alpha * loss)) * m0;
+  precise vec2 to_frame1 = (before / (z0 - loss)) * m0;
   return SteadyMotion(to_generated, to_frame1);
 }
 
@@ -125,7 +125,7 @@ bool FoundInFrame0(ivec2 p, uint background, TargetMotion arrived, out TargetMot
   vec2 m1 = MotionAt(motion1, b);
   SurfaceBefore surface = FindSurfaceBefore(b, m1);
   if (!(surface.gate > 0.0)) return false;
-  float depth = DepthAt(depth1, b);
+  float depth = NotZero(DepthAt(depth1, b));
   precise float loss = depth * (surface.ratio - 1.0);
   precise float depth_before = depth * surface.ratio;
   precise float least = 2.0 * abs(loss);
@@ -140,7 +140,7 @@ bool FoundInFrame0(ivec2 p, uint background, TargetMotion arrived, out TargetMot
     ivec2 p0 = NearestPixel(p, -from0);
     if (p0.x < 0) return false;
     vec2 m0 = MotionAt(motion0, p0);
-    float z0 = DepthAt(depth0, p0);
+    float z0 = NotZero(DepthAt(depth0, p0));
     if (!IsFiniteVector(m0) || !(z0 > least)) return false;
     SteadyMotion here = GoOn(m0, z0, loss);
     precise vec2 next = here.to_generated + bend0;

@@ -250,8 +250,9 @@ TEST_F(GpuSuperResolutionTest, RefusesWhatItLacks) {
   };
   EXPECT_EQ(reason([](auto& o) { o.history_format = PixelFormat::kRgba8; }),
             "the history format is rgba8; the GPU takes rgba16f or rgba32f");
-  EXPECT_EQ(reason([](auto& o) { o.peer = &kTaau; }),
-            "the options name a peer; the GPU has the passes of super resolution alone");
+  EXPECT_EQ(
+      reason([](auto& o) { o.peer = &kTaau; }),
+      "the options name a peer; the GPU has the passes of super resolution and frame generation");
   EXPECT_NE(reason([](auto& o) { o.output_width = 1 << 15; }).find("takes sides of at most"),
             std::string::npos);
 }

@@ -69,6 +69,10 @@ std::vector<SrRun> SrRuns(GridSize render, GridSize output, std::span<const Pixe
   return runs;
 }
 
+// Other systems promise nothing of the kind: the locks of fsr2 come and go with the jitter
+// (docs/METHODS.md).
+bool Settles(const SrRun& run) { return !run.method->peer; }
+
 // Two surfaces with noise as their colours; nothing moves.
 ClipTexel StillNoise(double x, double y, int picture) {
   const int i = static_cast<int>(x), j = static_cast<int>(y);
@@ -143,7 +147,7 @@ StabilityResult Flicker(StabilityEffort effort, bool residual_form) {
   }
   double worst_codes = 0, worst = 0, growth = 0;  // of 8-bit histories, of the others
   for (SrRun& run : SrRuns(kRender, kOutput, kColorFormats)) {
-    if ((run.form == HistoryForm::kResidual) != residual_form) continue;
+    if ((run.form == HistoryForm::kResidual) != residual_form || !Settles(run)) continue;
     double& most = run.format == PixelFormat::kRgba8 ? worst_codes : worst;
     ImageBuffer first(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
     ImageBuffer before(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
@@ -196,6 +200,7 @@ StabilityResult SrJitterCycle(StabilityEffort effort) {
   double worst = 0;
   std::string worst_run;
   for (SrRun& run : SrRuns(kRender, kOutput, kColorFormats)) {
+    if (!Settles(run)) continue;
     ImageBuffer before(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
     for (int cycle = 0; cycle < cycles; ++cycle) {
       for (const ClipFrame& frame : frames) run.Process(frame);
