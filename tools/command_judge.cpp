@@ -20,7 +20,9 @@ using MethodList = std::vector<const MethodInfo*>;
 bool Generates(const MethodInfo& method) { return method.generation != Generation::kNone; }
 
 // Methods that read no parameter are there to compare with.
-bool IsBaseline(const MethodInfo& method) { return method.parameters.empty(); }
+bool IsBaseline(const MethodInfo& method) {
+  return method.parameters.empty() && !method.optical_flow;
+}
 
 // Whether the two show frames of one kind, from inputs of one kind.
 bool AreComparable(const MethodInfo& a, const MethodInfo& b) {

@@ -120,7 +120,7 @@ TEST_F(CalibrateCommand, GoesOnWithTheSameBytesAfterAnInterruption) {
 }
 
 TEST_F(CalibrateCommand, ATimeLimitLeavesTheBestSoFarAndACheckpoint) {
-  const ProgramResult limited = RunWarplut(Arguments({"--max-seconds", "0.01"}));
+  const ProgramResult limited = RunWarplut(Arguments({"--max-seconds", "1e-9"}));
   ASSERT_EQ(limited.code, 0) << limited.err;
   EXPECT_THAT(limited.out, HasSubstr("The time limit ended the work: 0 of 2 starts"));
   EXPECT_THAT(limited.out, HasSubstr("Kept are the defaults"));
@@ -155,7 +155,7 @@ TEST_F(CalibrateCommand, TheSameFileHoweverFewClipsAreInMemory) {
     json["calibration"].erase("seconds");
     return json;
   };
-  EXPECT_EQ(calibrate("all.json", {}), calibrate("few.json", {"--memory", "120K"}));
+  EXPECT_EQ(calibrate("all.json", {}), calibrate("few.json", {"--memory", "200K"}));
   ExpectRefused(RunWarplut(Arguments({"--memory", "9K"})), kFailed, "the limit of 9 KiB");
   ExpectRefused(RunWarplut(Arguments({"--memory", "much"})), kUsage, "'much'");
 }
