@@ -196,7 +196,7 @@ constexpr ParameterList Reads(SrConfigure configure_sr, GenerationConfigure conf
     configure_sr(options);
     if (options.history && options.depth != DepthMeasure::kNone) list.Add(kSrDepth);
     for (const int parameter : ReadByPeer(configure_sr)) list.Add(parameter);
-    if (options.history && options.peer == nullptr) {
+    if (options.history && ReadByPeer(configure_sr).empty()) {
       list.Add(kBlendA);
       list.Add(kBlendB);
       if (options.clamp == ColorClamp::kVariance) list.Add(kGamma);
@@ -213,11 +213,9 @@ constexpr ParameterList Reads(SrConfigure configure_sr, GenerationConfigure conf
 }
 
 constexpr bool NamesPeer(SrConfigure configure_sr, GenerationConfigure configure_generation) {
-  SuperResolutionOptions sr;
-  if (configure_sr != nullptr) configure_sr(sr);
-  FrameGenerationOptions generation;
-  if (configure_generation != nullptr) configure_generation(generation);
-  return sr.peer != nullptr || generation.peer != nullptr;
+  return !ReadByPeer(configure_sr).empty() || configure_generation == ConfigureMeshWarp ||
+         configure_generation == ConfigureRubberSheet ||
+         configure_generation == ConfigureBidirectional;
 }
 
 template <SrConfigure kSr, GenerationConfigure kFrames, Generation kGeneration>
