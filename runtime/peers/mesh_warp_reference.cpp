@@ -94,7 +94,8 @@ TargetMotion MeshMotionAt(const GenerationJob& job, const Arrivals& arrivals, in
   const auto width = static_cast<std::uint32_t>(job.width());
   const std::uint32_t quad = SplatSource(key) / 2;
   const int left = static_cast<int>(quad % width), top = static_cast<int>(quad / width);
-  const auto [a, b, c] = CornersOf(SplatSource(key) % 2 == 1);
+  const TriangleCorners corners = CornersOf(SplatSource(key) % 2 == 1);
+  const PixelIndex a = corners.a, b = corners.b, c = corners.c;
   const auto displacement = [&](PixelIndex corner) {
     return MotionAt(arrivals.forward, left + corner.x, top + corner.y);
   };
