@@ -61,9 +61,7 @@ std::string Number(double value) { return fmt::format("{:.4g}", value); }
 bool WasCut(const CalibrationResult& result) { return result.stop == RunLog::Stop::kTime; }
 
 // A loss that may not have been computed.
-std::string LossText(double loss) {
-  return std::isfinite(loss) ? fmt::format("{:.5f}", loss) : "-";
-}
+std::string LossText(double loss) { return NumberCell(loss, 5).text; }
 
 TextTable ParameterTable(const CalibrationResult& result) {
   TextTable table{.header = {"parameter", "kept", WasCut(result) ? "best so far" : "optimum", "+-",

@@ -17,8 +17,6 @@ namespace {
 
 using MethodList = std::vector<const MethodInfo*>;
 
-bool Generates(const MethodInfo& method) { return method.generation != Generation::kNone; }
-
 // Methods that read no parameter are there to compare with.
 bool IsBaseline(const MethodInfo& method) {
   return method.parameters.empty() && !method.optical_flow;

@@ -45,8 +45,8 @@ inline float LumaRatio(float a, float b) {
 bool IsThinFeature(const SrJob& job, int i, int j, float ratio);
 
 // Mean lumas of the tiles of kShadingTile x kShadingTile samples that hold the samples of row j, as
-// one value for each sample of the row: by them changes of light are told from features that the
-// jitter hits or misses. `sums` has room for a row.
+// one value for each sample of the row. They tell changes of light from features that the jitter
+// hits or misses. `sums` has room for a row.
 void FillShadingRow(const SrJob& job, int j, float* sums, float* shading);
 
 // What is taken off the lifetime of a lock with each frame: it lasts for one cycle of the jitter.

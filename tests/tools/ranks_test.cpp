@@ -143,7 +143,7 @@ TEST_F(RanksOfTheProgram, CalibrateTheSameBits) {
   EXPECT_EQ(a["calibration"], b["calibration"]);
 }
 
-// Of two sequences and four methods a rank has some methods of one or both.
+// A rank has some methods of one or both of two sequences.
 TEST_F(RanksOfTheProgram, JudgeTheSameBits) {
   WriteTwoPans();
   const std::vector<std::string> judge = {

@@ -9,12 +9,10 @@
 #include "datasets/file.h"
 #include "datasets/image_io.h"
 #include "datasets/json_fields.h"
-#include "tools/tables/table_text.h"
+#include "tools/tables/record_table.h"
 
 namespace warplut {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Channels with the same text before their last dot.
 struct Layer {

@@ -6,12 +6,10 @@
 #include <cmath>
 
 #include "datasets/json_fields.h"
-#include "tools/tables/table_text.h"
+#include "tools/tables/record_table.h"
 
 namespace warplut {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const char* NameOf(Verdict verdict) {
   switch (verdict) {
@@ -152,16 +150,13 @@ std::string StreamText(const Sequence& sequence, const std::vector<StreamInspect
   return text;
 }
 
-// NaN and infinity have no JSON.
-Json Number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json RankingJson(const Ranking& ranking) {
   Json candidates = Json::array();
   for (const RankedCandidate& candidate : ranking.candidates) {
     candidates.push_back({{"name", candidate.name},
-                          {"score", Number(candidate.score)},
-                          {"margin", Number(candidate.margin)},
-                          {"standard_error", Number(candidate.standard_error)}});
+                          {"score", FiniteJson(candidate.score)},
+                          {"margin", FiniteJson(candidate.margin)},
+                          {"standard_error", FiniteJson(candidate.standard_error)}});
   }
   return {{"question", ranking.question}, {"stated", ranking.stated},
           {"found", ranking.found},       {"verdict", NameOf(ranking.verdict)},

@@ -1,4 +1,4 @@
-// How scores of frames are told.
+// Columns of the scores of frames.
 #pragma once
 
 #include "tools/judge/compare.h"

@@ -16,8 +16,6 @@
 namespace warplut {
 namespace {
 
-bool Generates(const MethodInfo& method) { return method.generation != Generation::kNone; }
-
 // One sequence in memory: what is judged by, which is also what methods that see every frame run
 // on, and what methods that generate run on.
 struct LoadedSequence {

@@ -226,11 +226,9 @@ std::string ToText(const ProfileReport& report) {
   TextTable full{.header = {"every pass", "PSNR dB", "SSIM", "temporal"}, .rows = {}};
   for (std::size_t i = 0; i < report.sequences.size(); ++i) {
     const PipelineScore& score = result.checked_full_scores[i];
-    full.rows.push_back(
-        {report.sequences[i].name,
-         std::isfinite(score.mean.psnr) ? fmt::format("{:.2f}", score.mean.psnr) : "equal",
-         fmt::format("{:.5f}", score.mean.ssim),
-         std::isfinite(score.temporal_error) ? fmt::format("{:.5f}", score.temporal_error) : "-"});
+    full.rows.push_back({report.sequences[i].name, PsnrCell(score.mean.psnr).text,
+                         fmt::format("{:.5f}", score.mean.ssim),
+                         NumberCell(score.temporal_error, 5).text});
   }
   text += ToText(full);
   if (LacksReference(report)) {

@@ -2,19 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "datasets/error.h"
 #include "datasets/file.h"
 #include "datasets/image_io.h"
 #include "datasets/json_fields.h"
 #include "tools/report/page/svg_plot.h"
+#include "tools/tables/record_table.h"
 
 namespace warplut {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 Json ToJson(const ReportPlot& plot) {
   Json series = Json::array();

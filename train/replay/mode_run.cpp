@@ -18,8 +18,6 @@ namespace {
 // Times that differ by less are one.
 constexpr double kTimeSlack = 1e-5;
 
-bool Generates(const MethodInfo& method) { return method.generation != Generation::kNone; }
-
 bool WarpsFrames(const MethodInfo& method) {
   return Generates(method) && method.generator == Generator::kWarped;
 }

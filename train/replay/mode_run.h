@@ -17,6 +17,8 @@ namespace warplut {
 inline constexpr float kAlphaStep = 0.001f;
 inline constexpr int kMostGenerated = 64;
 
+inline bool Generates(const MethodInfo& method) { return method.generation != Generation::kNone; }
+
 struct ModeRunOptions {
   const MethodInfo* method = nullptr;
   // The clip's frames 0, every, 2 every, ... are rendered; the others serve for judging alone. The

@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Quadratic, GpuScenesTest,
                          testing::Combine(testing::Values(SceneNames().back()),
                                           testing::Values("i-quadratic", "e-quadratic")),
                          NameOf);
-// Of both kinds one after the other: what they pass on.
+// Super resolution hands its frames to frame generation.
 INSTANTIATE_TEST_SUITE_P(Chained, GpuScenesTest,
                          testing::Combine(testing::Values(SceneNames().front(),
                                                           SceneNames().back()),
