@@ -42,6 +42,10 @@ endfunction()
 # What the compiler tells about this project's sources, and about no others.
 add_library(warplut_warnings INTERFACE)
 target_compile_options(warplut_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wpedantic)
+# In a unity build sources are included, and g++ takes their anonymous namespaces for a header's.
+target_compile_options(
+  warplut_warnings
+  INTERFACE $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
 if(WARPLUT_WARNINGS_AS_ERRORS)
   target_compile_options(warplut_warnings INTERFACE -Werror)
 endif()
@@ -54,12 +58,25 @@ if(NOT MSVC)
                          -fno-fast-math -fno-finite-math-only -fno-unsafe-math-optimizations)
 endif()
 
+# Sources that Highway includes again for each instruction set are compiled alone in a unity build.
+function(warplut_kernels_alone)
+  list(FILTER ARGN INCLUDE REGEX "\\.cpp$")
+  foreach(source ${ARGN})
+    cmake_path(ABSOLUTE_PATH source)
+    file(STRINGS ${source} again REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)
+    if(again)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
+endfunction()
+
 # warplut_library(NAME SOURCES...): a static library with the shared options.
 function(warplut_library name)
   add_library(${name} STATIC ${ARGN})
   target_link_libraries(${name} PUBLIC warplut_options PRIVATE $<BUILD_INTERFACE:warplut_warnings>
                                 $<BUILD_INTERFACE:warplut_strict_math>)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  warplut_kernels_alone(${ARGN})
 endfunction()
 
 # warplut_executable(NAME SOURCES...): a program with the shared options.
@@ -67,4 +84,5 @@ function(warplut_executable name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE warplut_options warplut_warnings warplut_strict_math)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
+  warplut_kernels_alone(${ARGN})
 endfunction()

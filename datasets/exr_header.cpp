@@ -9,13 +9,13 @@
 #include <string_view>
 #include <utility>
 
-#include "datasets/error.h"
 #include "datasets/image_io.h"
+#include "datasets/image_message.h"
 
 namespace warplut {
 namespace {
 
-constexpr std::uint32_t kMagic = 20000630;
+constexpr std::uint32_t kExrMagic = 20000630;
 constexpr std::uint32_t kMultiPart = 0x1000;  // in the version
 constexpr std::size_t kLongestName = 255;
 constexpr std::uint32_t kMaxTileSide = 4096;
@@ -64,10 +64,6 @@ std::uint32_t ChannelListLength(std::istream& file) {
   return 0;
 }
 
-[[noreturn]] void Fail(const std::filesystem::path& path, const std::string& reason) {
-  throw Error(fmt::format("cannot read the image '{}': {}", path.string(), reason));
-}
-
 // Sides of the window that begins here: readers take memory for lines of that length.
 void CheckWindow(const std::filesystem::path& path, std::istream& file) {
   std::uint32_t corners[4] = {};  // least x, least y, largest x, largest y
@@ -78,8 +74,8 @@ void CheckWindow(const std::filesystem::path& path, std::istream& file) {
   };
   const std::int64_t width = side(0), height = side(1);
   if (width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide) return;
-  Fail(path, fmt::format("its size is {} x {}; expected sides from 1 to {}", width, height,
-                         kMaxImageSide));
+  RefuseImage(path, fmt::format("its size is {} x {}; expected sides from 1 to {}", width, height,
+                                kMaxImageSide));
 }
 
 void CheckTiles(const std::filesystem::path& path, std::istream& file) {
@@ -87,8 +83,8 @@ void CheckTiles(const std::filesystem::path& path, std::istream& file) {
   ReadNumber(file, &width);
   ReadNumber(file, &height);
   if (width <= kMaxTileSide && height <= kMaxTileSide) return;
-  Fail(path, fmt::format("its tiles are {} x {}; expected sides of at most {}", width, height,
-                         kMaxTileSide));
+  RefuseImage(path, fmt::format("its tiles are {} x {}; expected sides of at most {}", width,
+                                height, kMaxTileSide));
 }
 
 // The only length that the attribute at this place can have; nothing if it can have any.
@@ -111,7 +107,7 @@ std::optional<std::uint32_t> LengthOf(std::istream& file, std::string_view type)
 void CheckExrHeader(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::uint32_t magic = 0, version = 0;
-  if (!ReadNumber(file, &magic) || magic != kMagic || !ReadNumber(file, &version)) return;
+  if (!ReadNumber(file, &magic) || magic != kExrMagic || !ReadNumber(file, &version)) return;
   const std::uintmax_t length = std::filesystem::file_size(path);
   bool in_header = false;  // an empty name ends a header, and an empty header those of all parts
   for (std::string name, type; ReadName(file, &name);) {
@@ -125,12 +121,12 @@ void CheckExrHeader(const std::filesystem::path& path) {
     if (!ReadName(file, &type) || !ReadNumber(file, &size)) return;
     const std::optional<std::uint32_t> expected = LengthOf(file, type);
     if (size > length || (expected && size != *expected)) {
-      Fail(path,
-           fmt::format("an attribute of its header, of type '{}', tells a length of {} bytes; "
-                       "expected {}",
-                       type, size,
-                       expected ? std::to_string(*expected)
-                                : fmt::format("at most the {} bytes of the file", length)));
+      RefuseImage(
+          path, fmt::format("an attribute of its header, of type '{}', tells a length of {} bytes; "
+                            "expected {}",
+                            type, size,
+                            expected ? std::to_string(*expected)
+                                     : fmt::format("at most the {} bytes of the file", length)));
     }
     const auto place = file.tellg();
     if (name == "dataWindow" || name == "displayWindow") CheckWindow(path, file);

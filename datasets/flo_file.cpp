@@ -8,33 +8,29 @@
 #include <limits>
 #include <string>
 
-#include "datasets/error.h"
 #include "datasets/file.h"
+#include "datasets/image_message.h"
 
 namespace warplut {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the values are copied as they are");
 
-constexpr char kMagic[] = {'P', 'I', 'E', 'H'};
+constexpr char kFloMagic[] = {'P', 'I', 'E', 'H'};
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kMaxBytes = kHeaderBytes + std::size_t{8} * kMaxImageSide * kMaxImageSide;
 
-[[noreturn]] void Fail(const std::filesystem::path& path, const std::string& reason) {
-  throw Error(fmt::format("cannot read the image '{}': {}", path.string(), reason));
-}
-
 // The size that the header tells, of a file that is `bytes` long.
 Image SizedAs(const std::filesystem::path& path, const char* header, std::uintmax_t bytes) {
-  if (bytes < kHeaderBytes || std::memcmp(header, kMagic, sizeof(kMagic)) != 0) {
-    Fail(path, "it is no .flo file; expected one that begins with PIEH");
+  if (bytes < kHeaderBytes || std::memcmp(header, kFloMagic, sizeof(kFloMagic)) != 0) {
+    RefuseImage(path, "it is no .flo file; expected one that begins with PIEH");
   }
   std::int32_t size[2];
-  std::memcpy(size, header + sizeof(kMagic), sizeof(size));
+  std::memcpy(size, header + sizeof(kFloMagic), sizeof(size));
   for (const std::int32_t side : size) {
     if (side < 1 || side > kMaxImageSide) {
-      Fail(path, fmt::format("its size is {} x {}; expected sides from 1 to {}", size[0], size[1],
-                             kMaxImageSide));
+      RefuseImage(path, fmt::format("its size is {} x {}; expected sides from 1 to {}", size[0],
+                                    size[1], kMaxImageSide));
     }
   }
   Image image;
@@ -43,8 +39,8 @@ Image SizedAs(const std::filesystem::path& path, const char* header, std::uintma
   image.channels = 2;
   const std::uintmax_t expected = kHeaderBytes + 8 * image.pixels();
   if (bytes != expected) {
-    Fail(path, fmt::format("it is {} bytes long; expected {} for {} x {} pixels", bytes, expected,
-                           size[0], size[1]));
+    RefuseImage(path, fmt::format("it is {} bytes long; expected {} for {} x {} pixels", bytes,
+                                  expected, size[0], size[1]));
   }
   return image;
 }

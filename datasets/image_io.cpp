@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -20,15 +19,12 @@
 #include "datasets/file.h"
 #include "datasets/flo_file.h"
 #include "datasets/image_message.h"
+#include "datasets/text_case.h"
 
 namespace warplut {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void FailRead(const fs::path& path, const std::string& reason) {
-  throw Error(fmt::format("cannot read the image '{}': {}", path.string(), reason));
-}
 
 // A part of an open file, and where in it the channels are that were asked for.
 struct OpenPart {
@@ -40,12 +36,6 @@ struct OpenPart {
 
 bool IsOpenExr(const OIIO::ImageInput& input) {
   return std::string_view(input.format_name()) == "openexr";
-}
-
-std::string LowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 std::string PartName(const OIIO::ImageSpec& spec) {
@@ -88,9 +78,9 @@ std::optional<std::vector<int>> FindChannels(const std::vector<std::string>& nam
 // The channels of a part of which none is named: R, G, B, A first, whatever their layer and case.
 std::vector<int> ChannelsInOrder(const fs::path& path, const OIIO::ImageSpec& spec, bool is_exr) {
   if (spec.nchannels < 1 || spec.nchannels > 4) {
-    FailRead(path,
-             fmt::format("it has {} channels ({}); expected 1 to 4, or the names of those to take",
-                         spec.nchannels, fmt::join(spec.channelnames, ", ")));
+    RefuseImage(
+        path, fmt::format("it has {} channels ({}); expected 1 to 4, or the names of those to take",
+                          spec.nchannels, fmt::join(spec.channelnames, ", ")));
   }
   std::vector<int> order(static_cast<std::size_t>(spec.nchannels));
   std::iota(order.begin(), order.end(), 0);
@@ -104,9 +94,10 @@ std::vector<int> ChannelsInOrder(const fs::path& path, const OIIO::ImageSpec& sp
   std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
   for (std::size_t c = 0; c < order.size(); ++c) {
     if (rank(order[c]) == c) continue;
-    FailRead(path, fmt::format("its channels are {}; expected R, G, B, and A perhaps, or the names "
-                               "of those to take",
-                               fmt::join(spec.channelnames, ", ")));
+    RefuseImage(path,
+                fmt::format("its channels are {}; expected R, G, B, and A perhaps, or the names "
+                            "of those to take",
+                            fmt::join(spec.channelnames, ", ")));
   }
   return order;
 }
@@ -115,18 +106,19 @@ void CheckSpec(const fs::path& path, const OIIO::ImageSpec& spec) {
   for (const auto& [width, height] :
        {std::pair(spec.width, spec.height), std::pair(spec.full_width, spec.full_height)}) {
     if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide) {
-      FailRead(path, fmt::format("its size is {} x {}; expected sides from 1 to {}", width, height,
-                                 kMaxImageSide));
+      RefuseImage(path, fmt::format("its size is {} x {}; expected sides from 1 to {}", width,
+                                    height, kMaxImageSide));
     }
   }
-  if (spec.deep || spec.depth > 1) FailRead(path, "it is deep or a volume; expected a flat image");
+  if (spec.deep || spec.depth > 1)
+    RefuseImage(path, "it is deep or a volume; expected a flat image");
   if (spec.x > spec.full_x || spec.y > spec.full_y ||
       spec.x + spec.width < spec.full_x + spec.full_width ||
       spec.y + spec.height < spec.full_y + spec.full_height) {
-    FailRead(path, fmt::format("its data window ({} x {} at {}, {}) lacks a part of its display "
-                               "window ({} x {} at {}, {}); expected all of it",
-                               spec.width, spec.height, spec.x, spec.y, spec.full_width,
-                               spec.full_height, spec.full_x, spec.full_y));
+    RefuseImage(path, fmt::format("its data window ({} x {} at {}, {}) lacks a part of its display "
+                                  "window ({} x {} at {}, {}); expected all of it",
+                                  spec.width, spec.height, spec.x, spec.y, spec.full_width,
+                                  spec.full_height, spec.full_x, spec.full_y));
   }
 }
 
@@ -137,23 +129,23 @@ void CheckPngLength(const fs::path& path, const OIIO::ImageInput& input) {
   if (std::string_view(input.format_name()) != "png") return;
   const std::uintmax_t length = fs::file_size(path), needed = input.spec().image_bytes(true);
   if (needed / kMostFromOne <= length) return;
-  FailRead(path, fmt::format("it is {} bytes long; expected more for {} x {} pixels", length,
-                             input.spec().width, input.spec().height));
+  RefuseImage(path, fmt::format("it is {} bytes long; expected more for {} x {} pixels", length,
+                                input.spec().width, input.spec().height));
 }
 
 // With `any_number` a part whose channels are not named may have any number of them, of any name.
 OpenPart Open(const fs::path& path, const std::vector<std::string>& channels, bool any_number) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  if (!fs::exists(status)) FailRead(path, "it does not exist");
-  if (!fs::is_regular_file(status)) FailRead(path, "it is not a regular file");
+  if (!fs::exists(status)) RefuseImage(path, "it does not exist");
+  if (!fs::is_regular_file(status)) RefuseImage(path, "it is not a regular file");
 
   CheckExrHeader(path);
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);  // alpha and colour as stored
   OpenPart open;
   open.input = OIIO::ImageInput::open(path.string(), &config);
-  if (!open.input) FailRead(path, ImageMessage(OIIO::geterror()));
+  if (!open.input) RefuseImage(path, ImageMessage(OIIO::geterror()));
   const auto take = [&](int part, std::vector<int> wanted) {
     open.part = part;
     open.spec = open.input->spec(part);
@@ -183,10 +175,11 @@ OpenPart Open(const fs::path& path, const std::vector<std::string>& channels, bo
     return std::find(there.begin(), there.end(), name) == there.end();
   });
   if (missing == channels.end()) {
-    FailRead(path, fmt::format("no part of it has all of the channels {}, only {}",
-                               fmt::join(channels, ", "), fmt::join(there, ", ")));
+    RefuseImage(path, fmt::format("no part of it has all of the channels {}, only {}",
+                                  fmt::join(channels, ", "), fmt::join(there, ", ")));
   }
-  FailRead(path, fmt::format("it has no channel '{}', only {}", *missing, fmt::join(there, ", ")));
+  RefuseImage(path,
+              fmt::format("it has no channel '{}', only {}", *missing, fmt::join(there, ", ")));
 }
 
 void CheckValues(const fs::path& path, const Image& image, const std::vector<int>& channels,
@@ -200,9 +193,9 @@ void CheckValues(const fs::path& path, const Image& image, const std::vector<int
   const auto i = static_cast<std::size_t>(bad - image.data.begin());
   const std::size_t n = channels.size(), pixel = i / n,
                     width = static_cast<std::size_t>(image.width);
-  FailRead(path, fmt::format("pixel ({}, {}), channel {}, is {}; expected a {}", pixel % width,
-                             pixel / width, names[static_cast<std::size_t>(channels[i % n])], *bad,
-                             finite ? "finite number" : "number"));
+  RefuseImage(path, fmt::format("pixel ({}, {}), channel {}, is {}; expected a {}", pixel % width,
+                                pixel / width, names[static_cast<std::size_t>(channels[i % n])],
+                                *bad, finite ? "finite number" : "number"));
 }
 
 // The channels at these places, in their order.
@@ -229,7 +222,7 @@ std::vector<int> FloChannels(const fs::path& path, const std::vector<std::string
   for (const std::string& name : channels.empty() ? kFloChannels : channels) {
     const std::string upper = LowerCase(name);
     if (upper != "x" && upper != "y") {
-      FailRead(path, fmt::format("it has no channel '{}', only X, Y", name));
+      RefuseImage(path, fmt::format("it has no channel '{}', only X, Y", name));
     }
     wanted.push_back(upper == "x" ? 0 : 1);
   }
@@ -285,7 +278,7 @@ Image ReadPart(const fs::path& path, const OpenPart& open) {
     const std::size_t pixels = width * static_cast<std::size_t>(rows), done = image.data.size();
     const auto check = [&](bool ok) {
       // A reader that fills what is missing still leaves a message.
-      if (!ok || open.input->has_error()) FailRead(path, ImageMessage(open.input->geterror()));
+      if (!ok || open.input->has_error()) RefuseImage(path, ImageMessage(open.input->geterror()));
     };
     values.resize(pixels * stride);
     if (!numbers) {
@@ -332,9 +325,9 @@ std::vector<ImagePart> ReadImageParts(const fs::path& path) {
     return {{"", info.width, info.height, info.channels, {"float", "float"}}};
   }
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) FailRead(path, "it does not exist");
+  if (!fs::exists(path, ignored)) RefuseImage(path, "it does not exist");
   const auto input = OIIO::ImageInput::open(path.string());
-  if (!input) FailRead(path, ImageMessage(OIIO::geterror()));
+  if (!input) RefuseImage(path, ImageMessage(OIIO::geterror()));
   std::vector<ImagePart> parts;
   for (int part = 0; input->seek_subimage(part, 0); ++part) {
     const OIIO::ImageSpec spec = input->spec(part);
@@ -365,8 +358,8 @@ Image ReadImage(const fs::path& path, const std::vector<std::string>& channels, 
   try {
     image = DisplayWindow(ReadPart(path, open), open.spec);
   } catch (const std::bad_alloc&) {
-    FailRead(path, fmt::format("there is no memory for {} x {} pixels", open.spec.width,
-                               open.spec.height));
+    RefuseImage(path, fmt::format("there is no memory for {} x {} pixels", open.spec.width,
+                                  open.spec.height));
   }
   CheckValues(path, image, open.wanted, open.spec.channelnames, accepted);
   return image;

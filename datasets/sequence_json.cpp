@@ -326,9 +326,9 @@ Sequence ReadSequence(const std::filesystem::path& path) {
   const auto manifest = std::filesystem::is_directory(path) ? path / Sequence::kManifest : path;
   if (manifest != path) RequireManifest(path, manifest);
   const std::string file = manifest.string();
-  const nlohmann::json json = ReadJson(manifest, kMaxManifestBytes);
+  const nlohmann::json parsed = ReadJson(manifest, kMaxManifestBytes);
 
-  JsonFields root(json, JsonPlace(file, ""));
+  JsonFields root(parsed, JsonPlace(file, ""));
   TakeFixed(root, "format", Sequence::kFormat);
   const int version = root.Integer("version");
   if (version != 1 && version != 2) root.At("version").Refuse(version, "1 or 2");

@@ -1,18 +1,20 @@
 #!/bin/sh
 # Installs what is missing, builds and runs every test. The last line is 'N passed, N failed, N
-# skipped'. usage: tools/test.sh [--full | --arm64]
-#   --full    also builds and tests under the sanitizers and the runtime alone, as continuous
-#             integration does, and runs the fuzzers if clang++ is there
-#   --arm64   instead builds the runtime alone for 64-bit ARM and runs its tests in QEMU
+# skipped'. usage: tools/test.sh [--full | --sanitizers | --arm64]
+#   --full         also builds the runtime alone and tests its core, tests what reads files and what
+#                  a renderer calls under the sanitizers, and runs the fuzzers if clang++ is there:
+#                  continuous integration
+#   --sanitizers   instead builds and runs every test program under the sanitizers: hours
+#   --arm64        instead builds the runtime alone for 64-bit ARM and runs its tests in QEMU
 # A build that fails counts as one failed test. Tests on recorded sequences run if WARPLUT_DATA
 # names their folder.
 set -eu
 cd "$(dirname "$0")/.."
 
 case "${1:-}" in
-  '' | --full | --arm64) what=${1:-} ;;
+  '' | --full | --sanitizers | --arm64) what=${1:-} ;;
   *)
-    echo "test.sh: '$1' is not an option; those are --full and --arm64." >&2
+    echo "test.sh: '$1' is not an option; those are --full, --sanitizers and --arm64." >&2
     exit 1
     ;;
 esac
@@ -21,6 +23,8 @@ jobs=$(nproc)
 fuzz_seconds=15 # of each target
 # All but the command line, which would compile the whole program once more.
 fuzz_targets="fit image manifest motion packed_png parameters table_exr table_json"
+# Tests of a smaller build that leaves them out, and those that the first build has run already.
+elsewhere='_NOT_BUILT$|^Package\.|^Style\.'
 passed=0
 failed=0
 skipped=0
@@ -90,14 +94,20 @@ if [ "$what" = --arm64 ]; then
   exit
 fi
 tools/install_dependencies.sh
+if [ "$what" = --sanitizers ]; then
+  configure_and_build asan-ubsan
+  run_tests asan-ubsan
+  step "done"
+  exit
+fi
 configure_and_build ci
 run_tests ci
 if [ "$what" = --full ]; then
-  configure_and_build runtime-only
-  run_tests runtime-only
+  configure_and_build runtime-only warplut_runtime chained_example test_luts test_runtime
+  run_tests runtime-only --exclude-regex "$elsewhere"
   configure_and_build asan-ubsan test_compatibility test_datasets test_fuzz test_generation test_luts \
-    test_peers test_runtime test_soak test_sr test_stability test_train test_train_kernels
-  run_tests asan-ubsan --exclude-regex '_NOT_BUILT$'
+    test_peers test_runtime test_sr test_train_kernels
+  run_tests asan-ubsan --exclude-regex "$elsewhere"
   if has_fuzzer; then
     step "fuzz"
     # shellcheck disable=SC2086 # a list of targets

@@ -16,17 +16,12 @@
 #include "datasets/import/dpt_file.h"
 #include "datasets/import/numbered_files.h"
 #include "datasets/json_fields.h"
+#include "datasets/text_case.h"
 
 namespace warplut {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string LowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 bool EndsWith(const std::string& text, const std::string& end) {
   if (text.size() < end.size()) return false;

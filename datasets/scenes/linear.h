@@ -21,6 +21,7 @@ using Rgb = Eigen::Array3f;
 using Transform = Eigen::Affine3d;
 
 inline constexpr double kPi = std::numbers::pi;
+inline constexpr float kTau = static_cast<float>(2 * kPi);  // a whole turn
 inline constexpr double kDegree = kPi / 180;
 
 // The greatest integer not above x, |x| < 2^31.

@@ -3,8 +3,6 @@
 namespace warplut::scenes {
 namespace {
 
-constexpr float kTau = static_cast<float>(2 * kPi);
-
 // Two unit directions that with n form a right-handed frame.
 void Frame(const Vec3f& n, Vec3f& s, Vec3f& t) {
   s = (std::abs(n.y()) < 0.9f ? Vec3f::UnitY() : Vec3f::UnitX()).cross(n).normalized();

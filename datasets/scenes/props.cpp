@@ -3,8 +3,6 @@
 namespace warplut::scenes {
 namespace {
 
-constexpr float kTau = static_cast<float>(2 * kPi);
-
 // A square card around a centre, in a random orientation, with texture coordinates of its own.
 void AddCard(Mesh& mesh, Random& random, const Vec3f& centre, float side, const Vec3f& outward,
              int material) {

@@ -28,7 +28,7 @@ constexpr Content kContents[] = {
 };
 
 constexpr float kAlpha = 0.5f;
-constexpr float kFlippedBound = 1;  // code values
+constexpr float kGenerationBound = 1;  // code values
 
 void Generate(FrameGeneration& generation, const DisplayedFrame& frame, bool interpolates,
               const MutableImageView& out) {
@@ -118,7 +118,8 @@ GenerationBenchmarkRow Measure(const BenchSize& size, const Content& content,
   row.content = content.name;
   row.motion = motion;
   row.interpolates = interpolates;
-  row.flipped = FlippedShare(std::as_const(out).view(), std::as_const(other).view(), kFlippedBound);
+  row.flipped =
+      FlippedShare(std::as_const(out).view(), std::as_const(other).view(), kGenerationBound);
   row.memory = static_cast<double>(generation.MemoryBytes()) / (8.0 * size.width * size.height);
   if (row.flipped > 0) {
     throw Error(fmt::format(

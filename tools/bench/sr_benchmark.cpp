@@ -13,15 +13,15 @@
 namespace warplut {
 namespace {
 
-constexpr float kFlippedBound = 0.5f;  // code values
+constexpr float kSuperResolutionBound = 0.5f;  // code values
 constexpr double kFlippedShare = 1e-3;
 
-struct Variant {
+struct SuperResolutionVariant {
   const char* name;
   void (*apply)(SuperResolutionOptions& options);
   PixelFormat format = PixelFormat::kRgba8;  // of the colour and the output
 };
-constexpr Variant kVariants[] = {
+constexpr SuperResolutionVariant kVariants[] = {
     {"default", [](SuperResolutionOptions&) {}},
     {"sample form", [](SuperResolutionOptions& o) { o.form = HistoryForm::kSample; }},
     {"no clamp", [](SuperResolutionOptions& o) { o.clamp = ColorClamp::kNone; }},
@@ -48,11 +48,12 @@ double CompareWithReference(const BenchScene& scene, SuperResolutionOptions opti
     plain.Process(scene.Rendered(frame), plain_out.view());
   }
   return FlippedShare(std::as_const(fast_out).view(), std::as_const(plain_out).view(),
-                      kFlippedBound);
+                      kSuperResolutionBound);
 }
 
-SrBenchmarkRow Measure(const BenchSize& size, const std::string& motion, const Variant& variant,
-                       const SrBenchmarkOptions& benchmark, const Table& table) {
+SrBenchmarkRow Measure(const BenchSize& size, const std::string& motion,
+                       const SuperResolutionVariant& variant, const SrBenchmarkOptions& benchmark,
+                       const Table& table) {
   SuperResolutionOptions options;
   options.output_width = size.width;
   options.output_height = size.height;
@@ -124,7 +125,7 @@ std::vector<SrBenchmarkRow> RunSrBenchmark(const SrBenchmarkOptions& options) {
   std::vector<SrBenchmarkRow> rows;
   for (const BenchSize& size : kBenchSizes) {
     for (const std::string motion : kBenchMotions) {
-      for (const Variant& variant : kVariants) {
+      for (const SuperResolutionVariant& variant : kVariants) {
         rows.push_back(Measure(size, motion, variant, options, table));
       }
     }

@@ -93,7 +93,7 @@ int MatType(PixelFormat format) {
                                         : CV_32FC4;
 }
 
-struct Variant {
+struct WarpVariant {
   std::string name;
   WarpOptions options = {};
   double smooth_target = 0;
@@ -109,14 +109,14 @@ bool HasPrefilterTarget(PixelFormat format) {
 }
 
 // The first two are the lookups in a table of 16 taps.
-std::vector<Variant> MakeVariants(const std::vector<Table>& tables) {
-  std::vector<Variant> variants;
+std::vector<WarpVariant> MakeVariants(const std::vector<Table>& tables) {
+  std::vector<WarpVariant> variants;
   for (const Table& table : tables) {
     const bool wide = table.footprint() != Footprint::k16;
     const std::string name =
         wide ? "lut " + std::to_string(TapCount(table.footprint())) : std::string("lut");
     for (const Lookup lookup : {Lookup::kNearest, Lookup::kBilinear}) {
-      Variant& variant = variants.emplace_back();
+      WarpVariant& variant = variants.emplace_back();
       variant.name = name + " " + Name(lookup);
       variant.options = {.filter = Filter::kLut, .table = &table, .lookup = lookup};
       // The targets are those of 16 taps.
@@ -149,7 +149,7 @@ class FormatBenchmark {
   }
 
   // One filter, against remap.
-  void AgainstRemap(const std::string& kind, const WarpMotion& motion, const Variant& variant,
+  void AgainstRemap(const std::string& kind, const WarpMotion& motion, const WarpVariant& variant,
                     std::vector<WarpBenchmarkRow>& rows) {
     const cv::Mat map = RemapMap(motion);
     cv::Mat fixed, fraction;
@@ -180,7 +180,7 @@ class FormatBenchmark {
 
   // The prefilter of the options, against a warp of the same image.
   void PrefilterAgainstWarp(const std::string& kind, const WarpMotion& motion,
-                            const Variant& prefiltered, const Variant& warped,
+                            const WarpVariant& prefiltered, const WarpVariant& warped,
                             std::vector<WarpBenchmarkRow>& rows) {
     const Prefilter prefilter = PrefilterOf(prefiltered.options);
     const PixelFormat format = history_.view.format;
@@ -196,7 +196,7 @@ class FormatBenchmark {
 
   // Subnormal texels against ordinary ones, in a float format.
   void SubnormalAgainstOrdinary(const std::string& kind, const WarpMotion& motion,
-                                const std::vector<Variant>& variants,
+                                const std::vector<WarpVariant>& variants,
                                 std::vector<WarpBenchmarkRow>& rows) {
     const int width = history_.view.width, height = history_.view.height;
     const PixelFormat format = history_.view.format;
@@ -207,7 +207,7 @@ class FormatBenchmark {
         StoreChannel(format, kSubnormal * texel, subnormal.view.At(0, y), i);
       }
     }
-    for (const Variant& variant : variants) {
+    for (const WarpVariant& variant : variants) {
       const Prefilter prefilter = PrefilterOf(variant.options);
       const auto race = [&](const std::function<void(const WarpImage&)>& call,
                             const ImageView& result) {
@@ -350,8 +350,8 @@ WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
     tables.emplace_back(
         TableView{.format = TableFormat::kI16, .data = weights.data(), .footprint = footprint});
   }
-  const std::vector<Variant> variants = MakeVariants(tables);
-  const Variant& bilinear = variants[1];
+  const std::vector<WarpVariant> variants = MakeVariants(tables);
+  const WarpVariant& bilinear = variants[1];
   WarpBenchmark benchmark;
   benchmark.target = WarpTarget();
   benchmark.opencv = cv::getVersionString();
@@ -360,9 +360,9 @@ WarpBenchmark RunWarpBenchmark(const WarpBenchmarkOptions& options) {
     FormatBenchmark images(options, format);
     for (const std::string kind : {"smooth", "uniform"}) {
       FillWarpMotion(kind, motion);
-      for (const Variant& variant : variants)
+      for (const WarpVariant& variant : variants)
         images.AgainstRemap(kind, motion, variant, benchmark.rows);
-      for (const Variant& variant : variants) {
+      for (const WarpVariant& variant : variants) {
         if (kind != "smooth" || !HasPrefilter(PrefilterOf(variant.options))) continue;
         images.PrefilterAgainstWarp(kind, motion, variant, bilinear, benchmark.rows);
       }

@@ -143,7 +143,7 @@ void AddGapRows(const ClipStudy& clip, TextTable& table) {
   }
 }
 
-std::string Point(const Parameters& parameters) {
+std::string ParametersText(const Parameters& parameters) {
   return fmt::format("{:.3g}, {:.3g}, {:.3g}", parameters.sr_depth_threshold, parameters.blend_a,
                      parameters.blend_b);
 }
@@ -162,8 +162,9 @@ void AddResultRow(const ClipStudy& clip, TextTable& table) {
       {clip.name, fmt::format("{} x {}, {} frames", clip.size.width, clip.size.height, clip.frames),
        fmt::format("{:.5f}", study.paper_loss), fmt::format("{:.5f}", study.base_loss),
        fmt::format("{:.5f} in {:.0f}", QuartilesOf(losses).median, QuartilesOf(runs).median),
-       Point(best.best), fmt::format("{:.5f} in {}", study.Best().loss.back(), study.Best().runs()),
-       Point(study.Best().best)});
+       ParametersText(best.best),
+       fmt::format("{:.5f} in {}", study.Best().loss.back(), study.Best().runs()),
+       ParametersText(study.Best().best)});
 }
 
 std::vector<std::string> Paragraphs() {

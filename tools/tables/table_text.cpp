@@ -5,7 +5,7 @@
 namespace warplut {
 namespace {
 
-const std::string& Cell(const std::vector<std::string>& row, std::size_t column) {
+const std::string& CellText(const std::vector<std::string>& row, std::size_t column) {
   static const std::string empty;
   return column < row.size() ? row[column] : empty;
 }
@@ -14,7 +14,7 @@ std::string TextRow(const std::vector<std::string>& row, const std::vector<std::
                     std::size_t left) {
   std::string line;
   for (std::size_t column = 0; column < widths.size(); ++column) {
-    const std::string& cell = Cell(row, column);
+    const std::string& cell = CellText(row, column);
     const std::string fill(widths[column] - cell.size(), ' ');
     if (column > 0) line += "  ";
     line += column < left ? cell + fill : fill + cell;
@@ -27,7 +27,7 @@ std::string MarkdownRow(const std::vector<std::string>& row, std::size_t columns
   std::string line = "|";
   for (std::size_t column = 0; column < columns; ++column) {
     line += ' ';
-    for (const char c : Cell(row, column)) {
+    for (const char c : CellText(row, column)) {
       if (c == '|') line += '\\';
       line += c;
     }
@@ -43,7 +43,7 @@ std::string ToText(const TextTable& table) {
   for (std::size_t column = 0; column < widths.size(); ++column) {
     widths[column] = table.header[column].size();
     for (const auto& row : table.rows)
-      widths[column] = std::max(widths[column], Cell(row, column).size());
+      widths[column] = std::max(widths[column], CellText(row, column).size());
   }
   std::string text = TextRow(table.header, widths, table.left);
   for (const auto& row : table.rows) text += TextRow(row, widths, table.left);

@@ -14,7 +14,7 @@ constexpr const char* kDepthRequired =
     "neighbouring codes pass the default T_D up to the far plane, 1e5 for a near plane of "
     "1e-3";
 
-constexpr StabilityCase kCases[] = {
+constexpr StabilityCase kGateCases[] = {
     GateCase("slope from width 1 to 1e-6", "1 / (2 T w) at the threshold, within 1e-8", GateSlope),
     GateCase("threshold 0",
              "what is equal or nearer passes, at any width; the least number beyond, infinity and "
@@ -59,6 +59,6 @@ constexpr StabilityCase kCases[] = {
 
 }  // namespace
 
-std::span<const StabilityCase> GateCases() { return kCases; }
+std::span<const StabilityCase> GateCases() { return kGateCases; }
 
 }  // namespace warplut

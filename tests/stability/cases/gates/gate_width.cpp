@@ -14,7 +14,7 @@
 namespace warplut {
 namespace {
 
-constexpr int kThreshold = 0, kBlendA = 3;  // of kParameters
+constexpr int kDepthParameter = 0, kBlendAParameter = 3;  // of kParameters
 constexpr float kStart = 0.05f;
 
 std::vector<float> Widths() { return {1, 1e-1f, 1e-2f, 1e-3f, 1e-4f, 1e-5f, 1e-6f}; }
@@ -45,7 +45,7 @@ double LossAt(ResidualFunction& function, const Parameters& parameters, float wi
 
 // The least loss on hard gates over the threshold's range, by a dense grid.
 double LeastLoss(ResidualFunction& function, int steps) {
-  const SearchSpace space({kThreshold}, {});
+  const SearchSpace space({kDepthParameter}, {});
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i) {
     const Point point = {static_cast<double>(i) / steps};
@@ -56,7 +56,7 @@ double LeastLoss(ResidualFunction& function, int steps) {
 
 CalibrationOptions ThresholdOptions(std::vector<float> widths) {
   CalibrationOptions options;
-  options.fitted = {kThreshold};
+  options.fitted = {kDepthParameter};
   options.widths = std::move(widths);
   options.random_starts = 0;
   options.base.sr_depth_threshold = 1;  // twenty times too large
@@ -125,7 +125,7 @@ StabilityResult GateBeyondRange(StabilityEffort) {
 // Gauss-Newton sense) against Levenberg-Marquardt on differences of a fixed size, whose slope is at
 // most 1 / kDifference.
 StabilityResult StiffGateSteps(StabilityEffort) {
-  const SearchSpace space({kThreshold}, {});
+  const SearchSpace space({kDepthParameter}, {});
   const double start = space.Coordinate(0, kStart);
   const double at_one = StiffGradient(space, 1);
   const double rate = 1 / (4 * at_one * at_one);
@@ -176,7 +176,7 @@ StabilityResult GateNotIdentified(StabilityEffort) {
     // counts.
     GateModel model({.threshold_acts = acts, .scale = acts ? 1e-9 : 1.0});
     CalibrationOptions options;
-    options.fitted = {kThreshold, kBlendA};
+    options.fitted = {kDepthParameter, kBlendAParameter};
     options.random_starts = 1;
     const CalibrationResult result = Calibrate(options, model);
     const CalibratedParameter& threshold = result.parameters[0];

@@ -17,7 +17,7 @@ constexpr const char* kRolloutRequired =
 constexpr const char* kLooseRequired =
     "complex step of rollouts in double, within 1e-3 of the gradient's size";
 
-constexpr StabilityCase kCases[] = {
+constexpr StabilityCase kGradientCases[] = {
     Gradient(
         "SSIM",
         "complex step of the direct sums, within 1e-3 of the largest element; exactly 0 for equal "
@@ -45,6 +45,6 @@ constexpr StabilityCase kCases[] = {
 
 }  // namespace
 
-std::span<const StabilityCase> GradientCases() { return kCases; }
+std::span<const StabilityCase> GradientCases() { return kGradientCases; }
 
 }  // namespace warplut

@@ -75,7 +75,7 @@ StabilityResult HeadErrorAt(double scale, int directions, double bound) {
   return {worst <= bound, fmt::format("relative error {:.1e}", worst)};
 }
 
-int Directions(StabilityEffort effort) { return effort == StabilityEffort::kFull ? 16 : 2; }
+int PartDirections(StabilityEffort effort) { return effort == StabilityEffort::kFull ? 16 : 2; }
 
 }  // namespace
 
@@ -112,13 +112,13 @@ StabilityResult SsimGradient(StabilityEffort) {
 }
 
 StabilityResult HeadGradient(StabilityEffort effort) {
-  return HeadErrorAt(1, Directions(effort), 1e-13);
+  return HeadErrorAt(1, PartDirections(effort), 1e-13);
 }
 StabilityResult HeadGradientSaturated(StabilityEffort effort) {
-  return HeadErrorAt(1e3, Directions(effort), 1e-13);
+  return HeadErrorAt(1e3, PartDirections(effort), 1e-13);
 }
 StabilityResult HeadGradientTiny(StabilityEffort effort) {
-  return HeadErrorAt(1e-6, Directions(effort), 1e-13);
+  return HeadErrorAt(1e-6, PartDirections(effort), 1e-13);
 }
 
 StabilityResult HeadGradientAtExtremeOffsets(StabilityEffort) {
@@ -167,7 +167,7 @@ StabilityResult GainPenaltyGradient(StabilityEffort effort) {
     const CanonicalWeights<double>& gradient = of_resampler.weights;
     const double size = std::sqrt(Dot(gradient, gradient));
     double error = 0;
-    for (int i = 0; i < Directions(effort); ++i) {
+    for (int i = 0; i < PartDirections(effort); ++i) {
       const CanonicalWeights<double> direction = RandomSigns(20 + i);
       const auto along = [&](double t) {
         CanonicalWeights<double> moved = weights;

@@ -10,7 +10,7 @@ constexpr StabilityCase History(const char* name, const char* required,
   return {.group = "history", .name = name, .required = required, .run = run, .failing = failing};
 }
 
-constexpr StabilityCase kCases[] = {
+constexpr StabilityCase kHistoryCases[] = {
     History("warps of a static image", "not one bit changes, in any format", WarpOfStaticImage),
     History("warps of a constant image", "within half a code value, in any format",
             WarpOfConstantImage),
@@ -53,6 +53,6 @@ constexpr StabilityCase kCases[] = {
 
 }  // namespace
 
-std::span<const StabilityCase> HistoryCases() { return kCases; }
+std::span<const StabilityCase> HistoryCases() { return kHistoryCases; }
 
 }  // namespace warplut

@@ -22,8 +22,8 @@ namespace {
 constexpr Lookup kLookups[] = {Lookup::kNearest, Lookup::kBilinear};
 
 // Speeds of a pan, pixels per frame: no whole number of frames brings the offset back.
-constexpr float kSpeedX = std::numbers::sqrt2_v<float>;
-constexpr float kSpeedY = -std::numbers::phi_v<float>;
+constexpr float kWarpX = std::numbers::sqrt2_v<float>;
+constexpr float kWarpY = -std::numbers::phi_v<float>;
 
 constexpr double kConstant = 173.0 / 255;  // a code, for 8-bit histories
 
@@ -157,8 +157,8 @@ StabilityResult WarpOfConstantImage(StabilityEffort effort) {
   for (const ShippedTable& shipped : ShippedTables()) {
     for (const Lookup lookup : kLookups) {
       LoopOptions options{.warp = Lut(shipped.table, lookup),
-                          .motion_x = kSpeedX,
-                          .motion_y = kSpeedY,
+                          .motion_x = kWarpX,
+                          .motion_y = kWarpY,
                           .size = 8,
                           .frames = Frames(effort),
                           .center = kConstant,
@@ -204,9 +204,9 @@ StabilityResult WarpOfWorstWave(StabilityEffort) {
 StabilityResult WarpPan(StabilityEffort effort) {
   const WarpOptions warp = HistoryWarp();
   const FormatsResult formats = RunFormats({.warp = warp,
-                                            .motion_x = kSpeedX,
-                                            .motion_y = kSpeedY,
-                                            .gain = GainOfMotion(warp, kSpeedX, kSpeedY),
+                                            .motion_x = kWarpX,
+                                            .motion_y = kWarpY,
+                                            .gain = GainOfMotion(warp, kWarpX, kWarpY),
                                             .frames = Frames(effort),
                                             .first = FillNoise,
                                             .input = {}});
@@ -247,15 +247,15 @@ StabilityResult LoopPan(StabilityEffort effort) {
   const auto input = [](int frame, std::span<double> values) {
     float color[3];
     for (int i = 0; i < kSize * kSize; ++i) {
-      Texture(i % kSize - frame * static_cast<double>(kSpeedX),
-              i / kSize - frame * static_cast<double>(kSpeedY), kSize, color);
+      Texture(i % kSize - frame * static_cast<double>(kWarpX),
+              i / kSize - frame * static_cast<double>(kWarpY), kSize, color);
       values[static_cast<std::size_t>(i)] = static_cast<double>(color[0]);
     }
   };
   const FormatsResult formats = RunFormats({.warp = warp,
-                                            .motion_x = kSpeedX,
-                                            .motion_y = kSpeedY,
-                                            .gain = GainOfMotion(warp, kSpeedX, kSpeedY),
+                                            .motion_x = kWarpX,
+                                            .motion_y = kWarpY,
+                                            .gain = GainOfMotion(warp, kWarpX, kWarpY),
                                             .blend = kDefaultBlend,
                                             .size = kSize,
                                             .frames = Frames(effort),
@@ -271,9 +271,9 @@ StabilityResult LoopFlicker(StabilityEffort effort) {
   const WarpOptions warp = HistoryWarp();
   const FormatsResult formats =
       RunFormats({.warp = warp,
-                  .motion_x = kSpeedX,
-                  .motion_y = kSpeedY,
-                  .gain = GainOfMotion(warp, kSpeedX, kSpeedY),
+                  .motion_x = kWarpX,
+                  .motion_y = kWarpY,
+                  .gain = GainOfMotion(warp, kWarpX, kWarpY),
                   .blend = kDefaultBlend,
                   .frames = Frames(effort),
                   .first = FillNoise,
@@ -285,8 +285,8 @@ StabilityResult LoopConstant(StabilityEffort effort) {
   double worst = 0;
   for (const ShippedTable& shipped : ShippedTables()) {
     LoopOptions options{.warp = Lut(shipped.table, Lookup::kBilinear),
-                        .motion_x = kSpeedX,
-                        .motion_y = kSpeedY,
+                        .motion_x = kWarpX,
+                        .motion_y = kWarpY,
                         .blend = kDefaultBlend,
                         .size = 8,
                         .frames = Frames(effort),

@@ -18,7 +18,7 @@ constexpr StabilityCase Runtime(const char* name, const char* required,
   return {.group = "runtime", .name = name, .required = required, .run = run, .failing = failing};
 }
 
-constexpr StabilityCase kCases[] = {
+constexpr StabilityCase kRuntimeCases[] = {
     Runtime("warp with motion NaN and infinite",
             "as with 0 in that component, within the bound of the warp", WarpOddMotion),
     Runtime("warp with motion from 1e6 pixels on", "the texel of the corner, to 1e-6",
@@ -78,6 +78,6 @@ constexpr StabilityCase kCases[] = {
 
 }  // namespace
 
-std::span<const StabilityCase> RuntimeCases() { return kCases; }
+std::span<const StabilityCase> RuntimeCases() { return kRuntimeCases; }
 
 }  // namespace warplut

@@ -22,8 +22,8 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kLargest = std::numeric_limits<float>::max();
-constexpr GridSize kRender{24, 18}, kOutput{48, 36};
-constexpr int kFrames = 4;
+constexpr GridSize kInputRender{24, 18}, kInputOutput{48, 36};
+constexpr int kInputFrames = 4;
 
 // Every filter that a warp can have.
 std::vector<WarpOptions> Warps() {
@@ -66,7 +66,7 @@ float OddMotion(int x, int y, int frame) {
 
 // A moving scene with a third of its motion vectors wild.
 Clip WildScene(int seed) {
-  Clip clip = MovingScene(kRender, kOutput, kFrames);
+  Clip clip = MovingScene(kInputRender, kInputOutput, kInputFrames);
   EditMotion(clip, [seed](float* xy, int x, int y, int frame) {
     if (Noise(x, y, frame + 100 * seed) > 0.3f) return;
     xy[0] = OddMotion(x, y, frame + 100 * seed + 31);
@@ -163,7 +163,7 @@ StabilityResult WarpFarMotion(StabilityEffort) {
 StabilityResult MotionNotFinite(StabilityEffort) {
   std::vector<Clip> clips;
   for (const auto& [mx, my] : {std::pair{kNaN, kNaN}, {kInfinity, 0.0f}, {0.5f, -kInfinity}}) {
-    clips.push_back(PanningGround(kRender, kOutput, kFrames));
+    clips.push_back(PanningGround(kInputRender, kInputOutput, kInputFrames));
     EditMotion(clips.back(), [mx = mx, my = my](float* xy, int, int, int) {
       xy[0] = mx;
       xy[1] = my;
@@ -173,7 +173,7 @@ StabilityResult MotionNotFinite(StabilityEffort) {
 }
 
 StabilityResult MotionOfAMillionPixels(StabilityEffort) {
-  Clip clip = PanningGround(kRender, kOutput, kFrames);
+  Clip clip = PanningGround(kInputRender, kInputOutput, kInputFrames);
   EditMotion(clip, [](float* xy, int, int, int) {
     xy[0] = 1e6f;
     xy[1] = -1e6f;
@@ -218,14 +218,15 @@ StabilityResult MotionFilterUpsampledWild(StabilityEffort effort) {
   const int clips = effort == StabilityEffort::kFull ? 150 : 30;
   constexpr double kTolerance = 1e-3;  // pixels
   SuperResolutionOptions sr;
-  sr.render_width = kRender.width;
-  sr.render_height = kRender.height;
-  sr.output_width = kOutput.width;
-  sr.output_height = kOutput.height;
+  sr.render_width = kInputRender.width;
+  sr.render_height = kInputRender.height;
+  sr.output_width = kInputOutput.width;
+  sr.output_height = kInputOutput.height;
   SerialExecutor executor;
   const MotionFilterOptions options{kGenerationMotionFilterLimit};
-  ImageBuffer shown(kOutput.width, kOutput.height, PixelFormat::kRgba32F);
-  MotionBuffer fast(kOutput.width, kOutput.height), plain(kOutput.width, kOutput.height);
+  ImageBuffer shown(kInputOutput.width, kInputOutput.height, PixelFormat::kRgba32F);
+  MotionBuffer fast(kInputOutput.width, kInputOutput.height),
+      plain(kInputOutput.width, kInputOutput.height);
   int differing = 0, frames = 0;
   double worst = 0;
   for (int seed = 0; seed < clips; ++seed) {
@@ -233,12 +234,12 @@ StabilityResult MotionFilterUpsampledWild(StabilityEffort effort) {
     for (const ClipFrame& frame : WildScene(seed).frames) {
       super_resolution.Process(frame.Rendered(), shown.view());
       const OutputGeometry geometry = super_resolution.Geometry();
-      MotionFilter(kOutput.width, kOutput.height, options)
+      MotionFilter(kInputOutput.width, kInputOutput.height, options)
           .Apply(geometry.depth, geometry.motion, executor, fast.view());
       MotionFilter::Reference(geometry.depth, geometry.motion, options, plain.view());
       double most = 0;
-      for (int y = 0; y < kOutput.height; ++y) {
-        for (int i = 0; i < 2 * kOutput.width; ++i) {
+      for (int y = 0; y < kInputOutput.height; ++y) {
+        for (int i = 0; i < 2 * kInputOutput.width; ++i) {
           const float a = fast.view().Row(y)[i], b = plain.view().Row(y)[i];
           if (a != b && !(std::isnan(a) && std::isnan(b))) {
             most = std::max(most, static_cast<double>(std::abs(a - b)));
@@ -305,8 +306,8 @@ StabilityResult DepthNotFinite(StabilityEffort) {
   std::vector<std::pair<Clip, Clip>> pairs;
   for (const float share : {0.2f, 1.0f}) {
     auto& [odd, far] = pairs.emplace_back();
-    odd = MovingScene(kRender, kOutput, kFrames);
-    far = MovingScene(kRender, kOutput, kFrames);
+    odd = MovingScene(kInputRender, kInputOutput, kInputFrames);
+    far = MovingScene(kInputRender, kInputOutput, kInputFrames);
     EditDepth(odd, [&](float& depth, int x, int y, int frame) {
       if (Noise(x, y, frame) <= share) depth = kOdd[(x + y + frame) % 5];
     });
@@ -319,7 +320,7 @@ StabilityResult DepthNotFinite(StabilityEffort) {
 
 StabilityResult DepthAllEqual(StabilityEffort) {
   const auto at = [](float value) {
-    Clip clip = MovingScene(kRender, kOutput, kFrames);
+    Clip clip = MovingScene(kInputRender, kInputOutput, kInputFrames);
     EditDepth(clip, [value](float& depth, int, int, int) { depth = value; });
     return clip;
   };
@@ -335,8 +336,8 @@ StabilityResult DepthReversed(StabilityEffort) {
   constexpr int kMargin =
       // pixels around the object that its depth may reach: motion, taps, boxes, over all frames
       40;
-  const Clip right = MovingScene(kWideRender, kWideOutput, kFrames);
-  Clip wrong = MovingScene(kWideRender, kWideOutput, kFrames);
+  const Clip right = MovingScene(kWideRender, kWideOutput, kInputFrames);
+  Clip wrong = MovingScene(kWideRender, kWideOutput, kInputFrames);
   EditDepth(wrong, [](float& depth, int, int, int) { depth = 1 - depth; });
   Examination examination;
   examination.Examine(wrong, "reversed depth");
@@ -379,7 +380,7 @@ StabilityResult DepthReversed(StabilityEffort) {
 
 StabilityResult ColorNotFinite(StabilityEffort) {
   constexpr float kOdd[] = {kNaN, kInfinity, -kInfinity, -1.0f, 1e30f, kLargest};
-  Clip clip = MovingScene(kRender, kOutput, kFrames);
+  Clip clip = MovingScene(kInputRender, kInputOutput, kInputFrames);
   EditColor(clip, [&](float* rgba, int x, int y, int frame) {
     if (Noise(x, y, frame) > 0.1f) return;
     rgba[(x + frame) % 3] = kOdd[(x + y) % 6];

@@ -87,7 +87,7 @@ double DifferenceFromNeighbours(const ImageView& image, const Neighbours& neighb
 // Of what a method may show: generated frames of finite sources keep to the sources' range and the
 // filter's overshoot.
 ValueRange AllowedRange(const Clip& clip, const MethodInfo& method) {
-  constexpr double kWeightRounding = 1e-5;  // of weights and their sum
+  constexpr double kSumRounding = 1e-5;  // of weights and their sum
   if (method.super_resolution) return {0, 1};
   ValueRange sources{1, 0};
   for (const ClipFrame& frame : clip.frames) {
@@ -96,7 +96,7 @@ ValueRange AllowedRange(const Clip& clip, const MethodInfo& method) {
     sources = {std::min(sources.least, range.least), std::max(sources.largest, range.largest)};
   }
   const double slack =
-      Overshoot(StoredHistoryTable()) * (sources.largest - sources.least) + kWeightRounding;
+      Overshoot(StoredHistoryTable()) * (sources.largest - sources.least) + kSumRounding;
   return {std::max(0.0, sources.least - slack), std::min(1.0, sources.largest + slack)};
 }
 

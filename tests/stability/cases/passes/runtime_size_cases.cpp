@@ -14,7 +14,7 @@
 namespace warplut {
 namespace {
 
-constexpr int kFrames = 3;
+constexpr int kSizeFrames = 3;
 
 struct Sizes {
   GridSize render, output;
@@ -34,7 +34,7 @@ template <std::size_t n>
 StabilityResult ExamineSizes(const Sizes (&list)[n], bool motion_filter = true) {
   Examination examination;
   for (const Sizes& sizes : list) {
-    examination.Examine(MovingScene(sizes.render, sizes.output, kFrames), "a moving scene",
+    examination.Examine(MovingScene(sizes.render, sizes.output, kSizeFrames), "a moving scene",
                         motion_filter);
   }
   return examination.Result();
@@ -110,7 +110,7 @@ StabilityResult ConstantAtAnySize(StabilityEffort) {
   int runs = 0;
   std::string where;
   const auto check = [&](const Sizes& sizes) {
-    Clip clip = MovingScene(sizes.render, sizes.output, kFrames);
+    Clip clip = MovingScene(sizes.render, sizes.output, kSizeFrames);
     EditColor(clip, [&](float* rgba, int, int, int) {
       std::copy(std::begin(kColor), std::end(kColor), rgba);
     });

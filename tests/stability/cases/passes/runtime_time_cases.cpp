@@ -15,8 +15,8 @@
 namespace warplut {
 namespace {
 
-constexpr GridSize kRender{24, 18}, kOutput{48, 36};
-constexpr int kFrames = 4;
+constexpr GridSize kTimeRender{24, 18}, kTimeOutput{48, 36};
+constexpr int kTimeFrames = 4;
 
 // One generating method with its buffers.
 struct FrameMaker {
@@ -85,7 +85,7 @@ StabilityResult ShowsNoHistory(const Clip& clip, Between between, const MethodSe
 // Nothing moves; the depth is the same everywhere, depth(frame).
 template <class Depth>
 Clip JumpingDepth(const Depth& depth) {
-  Clip clip = PanningGround(kRender, kOutput, kFrames);
+  Clip clip = PanningGround(kTimeRender, kTimeOutput, kTimeFrames);
   EditMotion(clip, [](float* xy, int, int, int) { xy[0] = xy[1] = 0; });
   EditDepth(clip, [&](float& z, int, int, int frame) { z = depth(frame); });
   return clip;
@@ -111,11 +111,11 @@ StabilityResult ShowsNoHistoryOfOtherDepth(float first, float factor,
 StabilityResult AlphaOutside(StabilityEffort) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  const Clip clip = MovingScene(kRender, kOutput, 2);
+  const Clip clip = MovingScene(kTimeRender, kTimeOutput, 2);
   int refused = 0, tried = 0;
   std::string sentence;
   for (const MethodInfo* method : GeneratingMethods()) {
-    FrameMaker generator(*method, kOutput);
+    FrameMaker generator(*method, kTimeOutput);
     for (const float alpha : {0.0f, 1.0f, -0.0f, -1e-6f, 1.5f, kNaN, kInfinity, -kInfinity}) {
       std::string why;
       const bool accepted =
@@ -133,8 +133,8 @@ StabilityResult AlphaNearTheEnds(StabilityEffort) {
   constexpr float kNear = 1e-6f;
   constexpr double kEdges =
       0.02;  // share of pixels at edges of objects, whose splatted positions are rounded
-  const Clip ground = PanningGround(kRender, kOutput, 2);
-  const Clip scene = MovingScene(kRender, kOutput, 2);
+  const Clip ground = PanningGround(kTimeRender, kTimeOutput, 2);
+  const Clip scene = MovingScene(kTimeRender, kTimeOutput, 2);
   double worst = 0, edges = 0;
   for (const MethodInfo* method : GeneratingMethods()) {
     // Other systems promise none of this.
@@ -143,7 +143,8 @@ StabilityResult AlphaNearTheEnds(StabilityEffort) {
     for (const Clip* clip : {&ground, &scene}) {
       const ClipFrame& frame0 = clip->frames[0];
       const ClipFrame& frame1 = clip->frames[1];
-      FrameMaker begin(*method, kOutput), end(*method, kOutput), before_end(*method, kOutput);
+      FrameMaker begin(*method, kTimeOutput), end(*method, kTimeOutput),
+          before_end(*method, kTimeOutput);
       begin.Generate(frame0, frame1, kNear);
       end.Generate(frame0, frame1, 1 - kNear);
       before_end.Generate(frame0, frame1, 1 - 2 * kNear);
@@ -166,7 +167,7 @@ StabilityResult AlphaNearTheEnds(StabilityEffort) {
 }
 
 StabilityResult EmptyHistory(StabilityEffort) {
-  const Clip clip = MovingScene(kRender, kOutput, kFrames);
+  const Clip clip = MovingScene(kTimeRender, kTimeOutput, kTimeFrames);
   int different = 0, count = 0;
   for (const MethodInfo& method : Methods()) {
     if (!method.super_resolution || method.configure_generation != nullptr) continue;
@@ -179,7 +180,7 @@ StabilityResult EmptyHistory(StabilityEffort) {
 }
 
 StabilityResult CutInEachFrame(StabilityEffort) {
-  Clip clip = MovingScene(kRender, kOutput, kFrames);
+  Clip clip = MovingScene(kTimeRender, kTimeOutput, kTimeFrames);
   for (ClipFrame& frame : clip.frames) frame.cut = true;
   return ShowsNoHistory(clip, Between::kLater);
 }
@@ -237,7 +238,7 @@ StabilityResult EqualDepthTies(StabilityEffort) {
 }
 
 StabilityResult EqualDepthOverlap(StabilityEffort) {
-  Clip clip = MovingScene(kRender, kOutput, kFrames);
+  Clip clip = MovingScene(kTimeRender, kTimeOutput, kTimeFrames);
   EditDepth(clip, [](float& depth, int, int, int) { depth = 0.5f; });
   Examination examination;
   examination.Examine(clip, "two objects of one depth");

@@ -19,7 +19,7 @@ constexpr const char* kContentRequired =
     "finite, not above the start; the certificate allows the 6 warps of the longest horizon; sums "
     "within 1e-12, offset 0 exact";
 
-constexpr StabilityCase kCases[] = {
+constexpr StabilityCase kTrainingCases[] = {
     Training("constant image", kFlatRequired, TrainOnConstant),
     Training("black image", kFlatRequired, TrainOnBlack),
     Training("white image", kFlatRequired, TrainOnWhite),
@@ -79,6 +79,6 @@ constexpr StabilityCase kCases[] = {
 
 }  // namespace
 
-std::span<const StabilityCase> TrainingCases() { return kCases; }
+std::span<const StabilityCase> TrainingCases() { return kTrainingCases; }
 
 }  // namespace warplut
