@@ -44,6 +44,7 @@ function(warplut_runtime_library name)
     motion/camera_motion.cpp
     core/executor.cpp
     core/float_environment.cpp
+    core/hud.cpp
     core/image_check.cpp
     configuration/method.cpp
     motion/motion_filter.cpp

@@ -59,6 +59,10 @@ struct DisplayedFrame {
   // then turns its colour into coefficients once, however many frames are generated from it. With 0
   // it does so at every call.
   std::uint64_t id = 0;
+  // Without data, or the interface that belongs over this frame, RGBA8, RGBA16F or RGBA32F with
+  // premultiplied alpha (runtime/hud.h). The colour is without it. It is neither warped nor blended
+  // with that of the other frame.
+  ImageView hud = {};
 };
 
 // Defaults are those of kPipeline (runtime/pipeline.h) for choices that the build fixes.
@@ -98,12 +102,13 @@ class FrameGeneration {
   // Makes the frame at `alpha` in (0, 1) between frame0 and frame1. If frame1 is a cut, the nearer
   // frame in time is shown. If frame0 is a cut, the motion is linear. `out` has the size of the
   // options and is RGBA8, RGBA16F or RGBA32F, whatever the format of the colours. It overlaps no
-  // input; its alpha becomes 1.
+  // input; its alpha becomes 1. The HUD of the nearer frame in time (frame 1 from alpha = 1/2 on)
+  // is drawn over it, if that frame has one.
   void Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                    const MutableImageView& out);
 
   // Makes the frame at `alpha` in (0, 1) after frame1. frame0 gives motion and depth alone and may
-  // have no colour.
+  // have no colour. The HUD of frame1 is drawn over it, if there is one.
   void Extrapolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                    const MutableImageView& out);
 

@@ -26,6 +26,11 @@
 //                   alone where the samples alias (runtime/sr/aliasing.h).
 //      Each share is multiplied by the validity of the history.
 //
+// A reactive mask (RenderedFrame::reactive) multiplies the validity of step 2 by 1 - r. r is the
+// greatest of the four samples of the mask around P / s, and of the 4 x 4 samples of the mask of
+// the frame before around the position that the history comes from: what a reactive sample left in
+// the history is as little trusted as what it covers.
+//
 // Without history (first frame, cut, options.history false) step 2 finds nothing valid.
 // MotionUpsampling::kStatic leaves out steps 1 and 2: q^w is the history at P and valid, and
 // neither motion nor depth is read.
@@ -69,10 +74,16 @@ struct RenderedFrame {
   float jitter_x = 0;  // render pixels, in [-1, 1]
   float jitter_y = 0;
   bool cut = false;  // shares nothing with the frame before
+  // R32F, or without data: 0 everywhere. How little the motion says about the colour of a sample,
+  // from 0 (as without mask) to 1 (no history): transparent surfaces and particles, animated
+  // textures. NaN counts as 0, others are limited to [0, 1]. Read where
+  // SuperResolutionOptions::reactive says so.
+  ImageView reactive = {};
 };
 
 // Defaults are those of kPipeline (runtime/pipeline.h) for choices that the build fixes.
 struct SuperResolutionOptions {
+  // The largest that SetRenderSize takes, and the size until it is called.
   int render_width = 0, render_height = 0;
   int output_width = 0, output_height = 0;  // 1 to 4 times render, in each axis
   HistoryForm form = kPipeline.sr.form.value_or(HistoryForm::kAdaptive);
@@ -83,7 +94,8 @@ struct SuperResolutionOptions {
   // Removes quantisation from the motion (runtime/motion_filter.h).
   bool motion_filter = kPipeline.sr.motion_filter.value_or(false);
   CurrentFrame current = kPipeline.sr.current.value_or(CurrentFrame::kBilinear);
-  WarpOptions warp;  // the filter of the history
+  bool reactive = false;  // frames may have a reactive mask; allocates two planes for it
+  WarpOptions warp;       // the filter of the history
   // Null, or another system (runtime/peers.h), whose limit, update and filter are taken instead.
   const SrPeer* peer = nullptr;
   // RGBA8, RGBA16F or RGBA32F.
@@ -114,8 +126,8 @@ class SuperResolution {
   ~SuperResolution();
 
   // Makes the next frame; allocates nothing. One thread calls it at a time. Sizes are those of the
-  // options, formats those of RenderedFrame; IsProcessable checks them. `out` is RGBA8, RGBA16F or
-  // RGBA32F on the output grid; its alpha becomes 1.
+  // options or of SetRenderSize, formats those of RenderedFrame; IsProcessable checks them. `out`
+  // is RGBA8, RGBA16F or RGBA32F on the output grid; its alpha becomes 1.
   void Process(const RenderedFrame& frame, const MutableImageView& out);
   bool IsProcessable(const RenderedFrame& frame, const MutableImageView& out,
                      std::string* why) const;
@@ -124,6 +136,13 @@ class SuperResolution {
   // Motion is NaN where there is none. The first call after Process computes them; the first call
   // of all allocates their buffers.
   OutputGeometry Geometry();
+
+  // Changes the size of rendered frames from the next one on (dynamic resolution). The history is
+  // kept. A quarter of the output to all of it in each axis, at most the size of the options;
+  // IsRenderSize checks that. Before the first frame it is as if the options had had that size, to
+  // the bit. Allocates nothing, unless options.motion_filter.
+  void SetRenderSize(int width, int height);
+  bool IsRenderSize(int width, int height, std::string* why = nullptr) const;
 
   // Forgets the history: the next frame is treated as a cut.
   void Reset();

@@ -51,6 +51,10 @@ constexpr bool SmoothsAliasing(const SuperResolutionOptions& o) {
 constexpr DepthMeasure DepthOf(const SuperResolutionOptions& o) {
   return WarpsHistory(o) ? Choose(kPipeline.sr.depth, o.depth) : DepthMeasure::kNone;
 }
+// Whether the reactive mask is read.
+constexpr bool ReadsReactive(const SuperResolutionOptions& o) {
+  return KeepsHistory(o) && o.reactive;
+}
 constexpr CurrentFrame CurrentOf(const SuperResolutionOptions& o) {
   return Choose(kPipeline.sr.current, o.current);
 }

@@ -62,6 +62,12 @@ bool AreGenerable(const FrameGenerationOptions& o, const DisplayedFrame& frame0,
       !CheckColor("The colour of frame 0", frame0.color, o.width, o.height, why)) {
     return false;
   }
+  const auto fits = [&](const char* name, const ImageView& hud) {
+    return hud.data == nullptr || CheckColor(name, hud, o.width, o.height, why);
+  };
+  if (!fits("The HUD of frame 0", frame0.hud) || !fits("The HUD of frame 1", frame1.hud)) {
+    return false;
+  }
   return CheckDepth("The depth of frame 0", frame0.depth, o.width, o.height, why) &&
          CheckMotion("The motion of frame 0", frame0.motion, o.width, o.height, why) &&
          CheckColor("The colour of frame 1", frame1.color, o.width, o.height, why) &&

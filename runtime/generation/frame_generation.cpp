@@ -12,6 +12,7 @@
 #include "runtime/generation/frame_coefficients.h"
 #include "runtime/generation/hdr_rows.h"
 #include "runtime/generation/row_kernels.h"
+#include "runtime/hud.h"
 #include "runtime/motion_filter.h"
 #include "runtime/peers/generation_peer.h"
 #include "runtime/warp/warp_kernels.h"
@@ -56,6 +57,7 @@ struct WARPLUT_HIDDEN FrameGeneration::State {
   void Generate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                 bool interpolates, const MutableImageView& out);
   void Show(const ImageView& color, const MutableImageView& out);
+  void Draw(const ImageView& hud, const MutableImageView& out);
 
   void FilterMotion(GenerationJob& job);
   void Splat(const GenerationJob& job);
@@ -295,6 +297,10 @@ inline void FrameGeneration::State::Show(const ImageView& color, const MutableIm
   });
 }
 
+inline void FrameGeneration::State::Draw(const ImageView& hud, const MutableImageView& out) {
+  if (hud.data != nullptr) DrawHud(hud, EncodingOf(options), executor, out);
+}
+
 FrameGeneration::FrameGeneration(const FrameGenerationOptions& options, Executor& executor) {
   const FloatEnvironment environment;
   if constexpr (kContainsGeneration) state_ = std::make_unique<State>(options, executor);
@@ -311,6 +317,7 @@ void FrameGeneration::Interpolate(const DisplayedFrame& frame0, const DisplayedF
     } else {
       state_->Generate(frame0, frame1, alpha, true, out);
     }
+    state_->Draw(alpha < 0.5f ? frame0.hud : frame1.hud, out);
   }
 }
 
@@ -323,6 +330,7 @@ void FrameGeneration::Extrapolate(const DisplayedFrame& frame0, const DisplayedF
     } else {
       state_->Generate(frame0, frame1, alpha, false, out);
     }
+    state_->Draw(frame1.hud, out);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "runtime/gpu/frame_numbers.h"
 #include "runtime/gpu/gpu_filter.h"
 #include "runtime/gpu/image_transfer.h"
+#include "runtime/hud.h"
 #include "runtime/motion_filter.h"
 
 namespace warplut {
@@ -54,6 +55,8 @@ struct GpuFrameGeneration::State {
   void RecordFrame(VkCommandBuffer commands, std::size_t slot);
   GenerationNumbers NumbersOf(const DisplayedFrame& frame0, float alpha) const;
   void Show(const ImageView& color, const MutableImageView& out) const;
+  // By the processor.
+  void Draw(const ImageView& hud, const MutableImageView& out);
   void Generate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                 bool interpolates, const MutableImageView& out);
 
@@ -67,7 +70,7 @@ struct GpuFrameGeneration::State {
   int encode = -1;
   std::array<KindOfFrame, 2> kinds;  // extrapolation, interpolation; made when they are needed
   std::array<Slot, kSlots> slots;
-  SerialExecutor executor;  // of the motion filter
+  SerialExecutor executor;  // of the motion filter and the HUD
   std::unique_ptr<MotionFilter> filter;
   MotionBuffer filtered;
 
@@ -278,6 +281,10 @@ void GpuFrameGeneration::State::Show(const ImageView& color, const MutableImageV
   }
 }
 
+void GpuFrameGeneration::State::Draw(const ImageView& hud, const MutableImageView& out) {
+  if (hud.data != nullptr) DrawHud(hud, EncodingOf(options), executor, out);
+}
+
 // The order of the passes.
 void GpuFrameGeneration::State::Generate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
                                          float alpha, bool interpolates,
@@ -315,6 +322,7 @@ void GpuFrameGeneration::Interpolate(const DisplayedFrame& frame0, const Display
   } else {
     state_->Generate(frame0, frame1, alpha, true, out);
   }
+  state_->Draw(alpha < 0.5f ? frame0.hud : frame1.hud, out);
 }
 
 void GpuFrameGeneration::Extrapolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
@@ -324,6 +332,7 @@ void GpuFrameGeneration::Extrapolate(const DisplayedFrame& frame0, const Display
   } else {
     state_->Generate(frame0, frame1, alpha, false, out);
   }
+  state_->Draw(frame1.hud, out);
 }
 
 std::vector<PassTime> GpuFrameGeneration::Times() const { return state_->passes.Times(); }

@@ -37,8 +37,9 @@ class GpuFrameGeneration {
   ~GpuFrameGeneration();
 
   // As those of FrameGeneration; they wait for the frame. A frame with an id (DisplayedFrame::id)
-  // is uploaded and filtered once. A source that is shown as it is, is copied by the processor. A
-  // GpuError if the device fails, or at the first call if it does not take a shader.
+  // is uploaded and filtered once. A source that is shown as it is, is copied by the processor,
+  // which also draws the HUD. A GpuError if the device fails, or at the first call if it does not
+  // take a shader.
   //
   // The largest differences from FrameGeneration are those of tests/runtime/gpu.
   void Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,

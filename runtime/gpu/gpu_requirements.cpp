@@ -43,6 +43,10 @@ bool Holds(const VulkanDevice& device, int width, int height, PixelFormat format
 bool GpuSuperResolution::IsRunnable(const VulkanDevice& device,
                                     const SuperResolutionOptions& options, std::string* why) {
   if (options.peer != nullptr) return Refused(kNoPeers, why);
+  if (options.reactive) {
+    return Refused("the options have a reactive mask; the GPU has super resolution without one",
+                   why);
+  }
   const PixelFormat format = HistoryFormatOf(options);
   if (format != PixelFormat::kRgba16F && format != PixelFormat::kRgba32F) {
     return Refused(

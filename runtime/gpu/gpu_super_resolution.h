@@ -17,7 +17,8 @@ namespace warplut {
 class GpuSuperResolution {
  public:
   // Whether the GPU has passes for the options, whose IsValid holds: a history in RGBA16F or
-  // RGBA32F. Also false where the device cannot hold the images. *why (if not null) is a sentence.
+  // RGBA32F, and no reactive mask. Also false where the device cannot hold the images. *why (if not
+  // null) is a sentence.
   static bool IsRunnable(const VulkanDevice& device, const SuperResolutionOptions& options,
                          std::string* why = nullptr);
 

@@ -42,6 +42,12 @@ AliasingMap::AliasingMap(int render_width, int render_height, float area, float 
       smoothing_(variances_.size()),
       smooth_rows_(static_cast<std::size_t>(rows_)) {}
 
+void AliasingMap::SetSize(int render_width, int render_height, float area) {
+  most_smoothing_ = MostSmoothing(area);
+  columns_ = TileCount(render_width, kAliasingTile);
+  rows_ = TileCount(render_height, kAliasingTile);
+}
+
 void AliasingMap::Finish() {
   for (int y = 0; y < rows_; ++y) {
     for (int x = 0; x < columns_; ++x) {

@@ -44,6 +44,9 @@ class AliasingMap {
   // are differences of.
   AliasingMap(int render_width, int render_height, float area, float contrast = 1);
 
+  // As if made for this size, which has at most as many tiles as that of the constructor.
+  void SetSize(int render_width, int render_height, float area);
+
   // Of the tiles of rows [kAliasingTile tile_row, ...), to be set by whoever made the residuals;
   // threads may set different rows.
   float* Variances(int tile_row) { return &variances_[Index(tile_row, 0)]; }

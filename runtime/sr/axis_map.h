@@ -9,6 +9,13 @@
 
 namespace warplut {
 
+// One axis of the render grid of the frame before.
+struct AxisBefore {
+  int render = 1;
+  float inverse_scale = 1;
+  float jitter = 0;
+};
+
 // Positions are counted from the centre of the first pixel. An output pixel x lies at
 // (x + 1/2) / s - 1/2 - jitter among the samples, a sample i at (i + 1/2 + jitter) s - 1/2 among
 // the output pixels, s = output / render.
@@ -30,6 +37,11 @@ class AxisMap {
   float scale() const { return static_cast<float>(static_cast<double>(output_) / render_); }
   float inverse_scale() const { return static_cast<float>(static_cast<double>(render_) / output_); }
   float jitter() const { return jitter_; }
+  AxisBefore AsBefore() const { return {render_, inverse_scale(), jitter_}; }
+
+  // As if made for so many samples, at most as many as those of the constructor; the jitter is to
+  // be set again.
+  void SetRender(int render) { render_ = render; }
 
   void SetJitter(float jitter) {
     jitter_ = jitter;
@@ -42,7 +54,7 @@ class AxisMap {
       nearest_[x] = static_cast<int>(inside + 0.5);
       offset_[x] = static_cast<float>(u - nearest_[x]);
     }
-    for (int i = 0; i < static_cast<int>(texel_.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(Padded(render_)); ++i) {
       const double v = (i + 0.5 + jitter) * scale - 0.5;
       const double inside = std::clamp(v, 0.0, static_cast<double>(output_ - 1));
       texel_[i] = std::min(static_cast<int>(inside), std::max(0, output_ - 2));

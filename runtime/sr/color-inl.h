@@ -87,11 +87,27 @@ HWY_INLINE void FillMotionRow(const ImageView& depth, const MotionView& motion, 
   for (Plane* plane : {&planes.depth, &planes.motion_x, &planes.motion_y}) plane->ExtendRow(y);
 }
 
+HWY_INLINE void FillReactiveRow(const ImageView& mask, int y, Plane& reactive) {
+  const FloatTag d;
+  float* row = reactive.Row(y);
+  if (mask.data == nullptr) {
+    std::fill_n(row, reactive.width(), 0.0f);
+  } else {
+    for (int x = 0; x < mask.width; x += kLanes) {
+      const auto value = LoadSome(mask.Row<float>(y) + x, mask.width - x);
+      const auto number = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
+      hn::Store(hn::Min(number, hn::Set(d, 1.0f)), d, row + x);
+    }
+  }
+  reactive.ExtendRow(y);
+}
+
 inline void FillPlanes(const SuperResolutionOptions& options, const RenderedFrame& frame,
                        const MotionView& motion, int begin, int end, RenderPlanes& planes) {
   const ImageView color = InFormat(kPipeline.sr.color_format, frame.color);
   for (int y = begin; y < end; ++y) {
     FillColorRow(options, color, y, planes);
+    if (ReadsReactive(options)) FillReactiveRow(frame.reactive, y, planes.reactive);
     if (ReadsMotion(options)) FillMotionRow(frame.depth, motion, y, planes);
   }
 }
@@ -294,7 +310,9 @@ HWY_INLINE void WarpBand(const SrJob& job, const Band& band, SrScratch& scratch)
   const MutableMotionView motion = band.Motion(scratch.motion);
   for (int y = band.first; y < band.last; ++y) {
     geometry.Make(y, depth, motion_x, motion_y);
-    ValidityRow(job, y, depth, motion_x, motion_y, scratch.validity.Row(y - band.first));
+    float* validity = scratch.validity.Row(y - band.first);
+    ValidityRow(job, y, depth, motion_x, motion_y, validity);
+    if (ReadsReactive(job.options)) ApplyReactive(job, y, motion_x, motion_y, validity);
     StoreMotion(motion_x, motion_y, job.x.output(), motion.Row(y));
   }
   const WarpOptions& warp = job.options.warp;
@@ -305,14 +323,27 @@ HWY_INLINE void WarpBand(const SrJob& job, const Band& band, SrScratch& scratch)
           : WarpRows(job.history, motion, warp, band.first, band.last, job.next);
 }
 
+// Validity of a band of a history that lies where it was, where there is a mask.
+HWY_INLINE void StillValidity(const SrJob& job, int begin, int end, SrScratch& scratch) {
+  float* motion = scratch.output_rows.Row(0);
+  std::fill_n(motion, job.x.output(), 0.0f);
+  for (int y = begin; y < end; ++y) {
+    float* validity = scratch.validity.Row(y - begin);
+    std::fill_n(validity, job.x.output(), 1.0f);
+    ApplyReactive(job, y, motion, motion, validity);
+  }
+}
+
 inline void Predict(const SrJob& job, int begin, int end, SrScratch& scratch) {
   const bool warps = WarpsHistory(job.options);
+  const bool masks = job.HasHistory() && ReadsReactive(job.options);
   // What `next` holds of the frame before is the prediction already: values in [0, 1], alpha 1.
-  if (job.HasHistory() && !warps && ClampOf(job.options) == ColorClamp::kNone) return;
+  if (job.HasHistory() && !warps && !masks && ClampOf(job.options) == ColorClamp::kNone) return;
   if (job.HasHistory() && warps) WarpBand(job, {begin, end}, scratch);
+  if (masks && !warps) StillValidity(job, begin, end, scratch);
   ColorBoxes boxes(job, scratch.render_rows, GeometryRowMaker::kRows);
   for (int y = begin; y < end; ++y) {
-    PredictRow(job, y, warps ? scratch.validity.Row(y - begin) : nullptr, boxes,
+    PredictRow(job, y, warps || masks ? scratch.validity.Row(y - begin) : nullptr, boxes,
                scratch.disoccluded.data());
   }
 }

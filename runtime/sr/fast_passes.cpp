@@ -22,9 +22,13 @@ const SrPasses& PassesOfTarget() {
   constexpr bool kResidual = kContainsHistory && kPipeline.sr.form != HistoryForm::kSample;
   constexpr bool kDepthGate = kContainsHistory && kPipeline.sr.depth != DepthMeasure::kNone &&
                               kPipeline.sr.motion != MotionUpsampling::kStatic;
-  static constexpr SrPasses kPasses = {FillPlanes, Geometry,
-                                       Predict,    kResidual ? Residual : nullptr,
-                                       Update,     kDepthGate ? DepthRange : nullptr,
+  static constexpr SrPasses kPasses = {FillPlanes,
+                                       Geometry,
+                                       Predict,
+                                       kResidual ? Residual : nullptr,
+                                       Update,
+                                       kDepthGate ? DepthRange : nullptr,
+                                       kContainsHistory ? ReactiveReach : nullptr,
                                        false};
   return kPasses;
 #endif

@@ -21,6 +21,11 @@ bool AreContained(const SuperResolutionOptions& o, std::string* why) {
          CheckChoices(kSrChoices, kPipeline.sr, o, why);
 }
 
+// Whether the output is 1 to 4 times the render size, in one axis.
+bool Fits(int render, int output) {
+  return output >= render && output / 4.0 <= render && output <= kLargestSize;
+}
+
 }  // namespace
 
 bool SuperResolutionOptions::IsValid(std::string* why) const {
@@ -29,10 +34,7 @@ bool SuperResolutionOptions::IsValid(std::string* why) const {
                    "; at least 1 x 1 was expected."},
                   why);
   }
-  const auto fits = [](int render, int output) {
-    return output >= render && output / 4.0 <= render && output <= kLargestSize;
-  };
-  if (!fits(render_width, output_width) || !fits(render_height, output_height)) {
+  if (!Fits(render_width, output_width) || !Fits(render_height, output_height)) {
     return Refuse({"The output size is ", SizeName(output_width, output_height),
                    "; 1 to 4 times the render size ", SizeName(render_width, render_height),
                    " was expected."},
@@ -57,6 +59,17 @@ bool SuperResolutionOptions::IsValid(std::string* why) const {
   return parameters.IsValid(why);
 }
 
+bool IsRenderSizeOf(const SuperResolutionOptions& o, int width, int height, int most_width,
+                    int most_height, std::string* why) {
+  const bool has_size = width >= 1 && height >= 1 && width <= most_width && height <= most_height;
+  if (has_size && Fits(width, o.output_width) && Fits(height, o.output_height)) return true;
+  const int least_width = (o.output_width + 3) / 4, least_height = (o.output_height + 3) / 4;
+  return Refuse(
+      {"The render size is ", SizeName(width, height), "; ", SizeName(least_width, least_height),
+       " to ", SizeName(most_width, most_height), " was expected."},
+      why);
+}
+
 bool IsFrameProcessable(const SuperResolutionOptions& options, const RenderedFrame& frame,
                         const MutableImageView& out, std::string* why) {
   const int width = options.render_width;
@@ -71,6 +84,14 @@ bool IsFrameProcessable(const SuperResolutionOptions& options, const RenderedFra
   if (ReadsMotion(options) && (!CheckDepth("The depth", frame.depth, width, height, why) ||
                                !CheckMotion("The motion", frame.motion, width, height, why))) {
     return false;
+  }
+  if (frame.reactive.data != nullptr) {
+    if (!options.reactive) {
+      return Refuse({"The frame has a reactive mask, and the options say that none will come; "
+                     "expected SuperResolutionOptions::reactive."},
+                    why);
+    }
+    if (!CheckDepth("The reactive mask", frame.reactive, width, height, why)) return false;
   }
   if (!(std::abs(frame.jitter_x) <= 1 && std::abs(frame.jitter_y) <= 1)) {
     return Refuse({"The jitter is (", std::to_string(frame.jitter_x), ", ",

@@ -163,11 +163,11 @@ class GeometryRowMaker {
   int cell_ = -1;
 };
 
-HWY_INLINE Ints CellBefore(Floats p, const AxisMap& axis, float jitter) {
+HWY_INLINE Ints CellBefore(Floats p, const AxisBefore& axis) {
   const FloatTag d;
-  const auto u = hn::Sub(hn::Sub(hn::Mul(p, hn::Set(d, axis.inverse_scale())), hn::Set(d, 0.5f)),
-                         hn::Set(d, jitter));
-  const auto last = hn::Set(d, static_cast<float>(axis.render() - 1));
+  const auto u = hn::Sub(hn::Sub(hn::Mul(p, hn::Set(d, axis.inverse_scale)), hn::Set(d, 0.5f)),
+                         hn::Set(d, axis.jitter));
+  const auto last = hn::Set(d, static_cast<float>(axis.render - 1));
   return hn::ConvertTo(IntTag(), hn::Min(hn::Max(u, hn::Zero(d)), last));
 }
 
@@ -192,8 +192,8 @@ HWY_INLINE void ValidityRow(const SrJob& job, int y, const float* HWY_RESTRICT d
                                 hn::And(hn::Ge(py, zero), hn::Le(py, height)));
     auto valid = hn::Set(d, 1.0f);
     if (measure != DepthMeasure::kNone) {
-      const auto i = CellBefore(hn::IfThenElseZero(inside, px), job.x, job.jitter_x_before);
-      const auto j = CellBefore(hn::IfThenElseZero(inside, py), job.y, job.jitter_y_before);
+      const auto i = CellBefore(hn::IfThenElseZero(inside, px), job.x_before);
+      const auto j = CellBefore(hn::IfThenElseZero(inside, py), job.y_before);
       const auto index = hn::Add(hn::Mul(j, stride), i);
       const auto nearest = hn::GatherIndex(d, job.nearest_before.Row(0), index);
       const auto farthest = hn::GatherIndex(d, job.farthest_before.Row(0), index);
@@ -204,6 +204,47 @@ HWY_INLINE void ValidityRow(const SrJob& job, int y, const float* HWY_RESTRICT d
                     options.parameters.sr_depth_threshold, options.gate_width);
     }
     hn::Store(hn::IfThenElseZero(inside, valid), d, validity + x);
+  }
+}
+
+// Multiplies the validity of a row by 1 - ReactiveReference.
+HWY_INLINE void ApplyReactive(const SrJob& job, int y, const float* HWY_RESTRICT motion_x,
+                              const float* HWY_RESTRICT motion_y, float* HWY_RESTRICT validity) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d);
+  const auto row = hn::Set(d, static_cast<float>(y) + 0.5f);
+  const auto stride = hn::Set(IntTag(), job.reactive_before.stride());
+  const float* upper = job.planes.reactive.Row(job.y.cell()[y]);
+  const float* lower = job.planes.reactive.Row(job.y.cell()[y] + 1);
+  for (int x = 0; x < job.x.output(); x += kLanes) {
+    const auto valid = hn::Load(d, validity + x);
+    const auto column = hn::Add(PixelNumbers(x), hn::Set(d, 0.5f));
+    const auto some = hn::Gt(valid, zero);  // elsewhere the motion may be no number
+    const auto px = hn::IfThenElseZero(some, hn::Sub(column, hn::Load(d, motion_x + x)));
+    const auto py = hn::IfThenElseZero(some, hn::Sub(row, hn::Load(d, motion_y + x)));
+    const auto index =
+        hn::Add(hn::Mul(CellBefore(py, job.y_before), stride), CellBefore(px, job.x_before));
+    const auto before = hn::GatherIndex(d, job.reactive_before.Row(0), index);
+    const Columns cell(job.x.cell(), x);
+    const auto above = hn::Max(cell.At(upper), cell.Next(upper));
+    const auto below = hn::Max(cell.At(lower), cell.Next(lower));
+    const auto reactive = hn::Max(hn::Max(above, below), before);
+    hn::Store(hn::NegMulAdd(valid, reactive, valid), d, validity + x);
+  }
+}
+
+inline void ReactiveReach(const Plane& reactive, int begin, int end, Plane& reach) {
+  const FloatTag d;
+  for (int j = begin; j < end; ++j) {
+    for (int i = 0; i < reactive.width(); i += kLanes) {
+      auto greatest = hn::Zero(d);
+      for (int y = j - 1; y <= j + 2; ++y) {
+        for (int x = i - 1; x <= i + 2; ++x) {
+          greatest = hn::Max(greatest, hn::LoadU(d, reactive.Row(y) + x));
+        }
+      }
+      hn::Store(greatest, d, reach.Row(j) + i);
+    }
   }
 }
 

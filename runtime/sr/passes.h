@@ -25,10 +25,11 @@ struct SrJob {
   const RenderPlanes& planes;
 
   // Of the frame before: the least and greatest depth of samples (i - 1, j - 1) to (i + 2, j + 2),
-  // and its jitter.
+  // the greatest of its reactive mask, and its grid.
   const Plane& nearest_before;
   const Plane& farthest_before;
-  float jitter_x_before, jitter_y_before;
+  const Plane& reactive_before;
+  AxisBefore x_before, y_before;
 
   bool has_history;
   ImageView
@@ -46,6 +47,8 @@ struct SrJob {
 struct SrScratch {
   explicit SrScratch(const SuperResolutionOptions& options);
   std::size_t bytes() const;
+
+  void SetRenderWidth(int width) { render_rows.SetSize(width, kRenderRows); }
 
   MotionBuffer motion;  // of a band of output rows, where the history is warped
   Plane validity;       // of the same rows, in [0, 1]
@@ -77,6 +80,9 @@ struct SrPasses {
                  const MutableImageView& out);
   // Render rows [begin, end) of the depth range that the next frame is compared with.
   void (*depth_range)(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest);
+  // Render rows [begin, end) of the reactive mask as the next frame reads it: the greatest of
+  // samples (i - 1, j - 1) to (i + 2, j + 2).
+  void (*reactive_reach)(const Plane& reactive, int begin, int end, Plane& reach);
   // Whether predict writes the validity of methods without history, too.
   bool always_validity;
 };

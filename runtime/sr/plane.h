@@ -24,6 +24,12 @@ class Plane {
         rows_((static_cast<std::size_t>(width) + 3 * kPlanePad) * sizeof(float),
               height + 2 * kPlaneRows) {}
 
+  // As if made for this size, which is at most that of the constructor; the values are arbitrary.
+  void SetSize(int width, int height) {
+    width_ = width;
+    height_ = height;
+  }
+
   int width() const { return width_; }
   int height() const { return height_; }
   std::size_t bytes() const { return rows_.size(); }

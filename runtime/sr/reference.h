@@ -101,6 +101,11 @@ Surface SurfaceAt(const SrJob& job, int x, int y);
 float ValidityReference(const SrJob& job, int x, int y, float depth, float motion_x,
                         float motion_y);
 
+// How reactive output pixel (x, y) with that motion is, in [0, 1]: the greatest of the four samples
+// of the mask around it, and of the 4 x 4 samples of the mask of the frame before around the
+// position that its history comes from. 1 without motion.
+float ReactiveReference(const SrJob& job, int x, int y, float motion_x, float motion_y);
+
 struct Rgb {
   float c[3];
 };
@@ -129,5 +134,6 @@ void ResidualReference(const SrJob& job, int begin, int end, Plane* residual,
 void UpdateReference(const SrJob& job, int begin, int end, SrScratch& scratch,
                      const MutableImageView& out);
 void DepthRangeReference(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest);
+void ReactiveReachReference(const Plane& reactive, int begin, int end, Plane& reach);
 
 }  // namespace warplut

@@ -141,6 +141,14 @@ void FillPlanesReference(const SuperResolutionOptions& options, const RenderedFr
       for (int c = 0; c < 3; ++c) planes.color[c].Row(y)[x] = rgb[c];
     }
     for (Plane& plane : planes.color) plane.ExtendRow(y);
+    if (ReadsReactive(options)) {
+      for (int x = 0; x < frame.color.width; ++x) {
+        const bool given = frame.reactive.data != nullptr;
+        planes.reactive.Row(y)[x] =
+            given ? SanitizeReactive(frame.reactive.Row<float>(y)[x]) : 0.0f;
+      }
+      planes.reactive.ExtendRow(y);
+    }
     if (!ReadsMotion(options)) continue;
     for (int x = 0; x < frame.color.width; ++x) {
       planes.depth.Row(y)[x] = SanitizeDepth(frame.depth.Row<float>(y)[x]);
@@ -223,7 +231,9 @@ void PredictReference(const SrJob& job, int begin, int end, SrScratch& scratch) 
       const Surface surface = SurfaceAt(job, x, y);
       const float mx = surface.motion_x * job.x.scale();
       const float my = surface.motion_y * job.y.scale();
-      scratch.validity.Row(y - begin)[x] = ValidityReference(job, x, y, surface.depth, mx, my);
+      float validity = ValidityReference(job, x, y, surface.depth, mx, my);
+      if (ReadsReactive(job.options)) validity *= 1 - ReactiveReference(job, x, y, mx, my);
+      scratch.validity.Row(y - begin)[x] = validity;
       if (WarpsHistory(job.options))
         SetMotion(Band{begin, end}.Motion(scratch.motion), x, y, mx, my);
     }
@@ -319,13 +329,9 @@ void UpdateReference(const SrJob& job, int begin, int end, SrScratch& scratch,
 }
 
 const SrPasses& ReferencePasses() {
-  static constexpr SrPasses kPasses = {FillPlanesReference,
-                                       GeometryReference,
-                                       PredictReference,
-                                       ResidualReference,
-                                       UpdateReference,
-                                       DepthRangeReference,
-                                       true};
+  static constexpr SrPasses kPasses = {
+      FillPlanesReference, GeometryReference,   PredictReference,       ResidualReference,
+      UpdateReference,     DepthRangeReference, ReactiveReachReference, true};
   return kPasses;
 }
 

@@ -72,6 +72,16 @@ void GeometryReference(const SrJob& job, int begin, int end, SrScratch&,
   }
 }
 
+namespace {
+
+// The sample of the frame before at or before output position p of one axis.
+int CellBefore(float p, const AxisBefore& axis) {
+  const float u = p * axis.inverse_scale - 0.5f - axis.jitter;
+  return static_cast<int>(std::clamp(u, 0.0f, static_cast<float>(axis.render - 1)));
+}
+
+}  // namespace
+
 float ValidityReference(const SrJob& job, int x, int y, float depth, float motion_x,
                         float motion_y) {
   const float px = static_cast<float>(x) + 0.5f - motion_x;
@@ -80,17 +90,39 @@ float ValidityReference(const SrJob& job, int x, int y, float depth, float motio
                       py <= static_cast<float>(job.y.output());
   if (!job.HasHistory() || !inside) return 0.0f;
   if (DepthOf(job.options) == DepthMeasure::kNone) return 1.0f;
-  const auto cell = [](float p, const AxisMap& axis, float jitter) {
-    const float u = p * axis.inverse_scale() - 0.5f - jitter;
-    return static_cast<int>(std::clamp(u, 0.0f, static_cast<float>(axis.render() - 1)));
-  };
-  const int i = cell(px, job.x, job.jitter_x_before);
-  const int j = cell(py, job.y, job.jitter_y_before);
+  const int i = CellBefore(px, job.x_before);
+  const int j = CellBefore(py, job.y_before);
   const float before =
       std::clamp(depth, job.nearest_before.Row(j)[i], job.farthest_before.Row(j)[i]);
   const float farther = DepthDifference(DepthOf(job.options), depth, before);
   return Gate(RejectsBothWays(DepthOf(job.options)) ? std::abs(farther) : farther,
               job.options.parameters.sr_depth_threshold, job.options.gate_width);
+}
+
+float ReactiveReference(const SrJob& job, int x, int y, float motion_x, float motion_y) {
+  const float px = static_cast<float>(x) + 0.5f - motion_x;
+  const float py = static_cast<float>(y) + 0.5f - motion_y;
+  if (!IsFiniteMotion(px, py)) return 1.0f;
+  float reactive =
+      job.reactive_before.Row(CellBefore(py, job.y_before))[CellBefore(px, job.x_before)];
+  const int i = job.x.cell()[x];
+  const int j = job.y.cell()[y];
+  for (int v = j; v <= j + 1; ++v) {
+    for (int u = i; u <= i + 1; ++u) reactive = std::max(reactive, job.planes.reactive.Row(v)[u]);
+  }
+  return reactive;
+}
+
+void ReactiveReachReference(const Plane& reactive, int begin, int end, Plane& reach) {
+  for (int j = begin; j < end; ++j) {
+    for (int i = 0; i < reactive.width(); ++i) {
+      float greatest = 0;
+      for (int y = j - 1; y <= j + 2; ++y) {
+        for (int x = i - 1; x <= i + 2; ++x) greatest = std::max(greatest, reactive.Row(y)[x]);
+      }
+      reach.Row(j)[i] = greatest;
+    }
+  }
 }
 
 void DepthRangeReference(const Plane& depth, int begin, int end, Plane& nearest, Plane& farthest) {

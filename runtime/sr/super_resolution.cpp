@@ -55,7 +55,7 @@ SrScratch::SrScratch(const SuperResolutionOptions& options)
       disoccluded(static_cast<std::size_t>(TileCount(options.output_width, kTileWidth))) {
   const int width = options.output_width;
   if (WarpsHistory(options)) motion = MotionBuffer(width, kBandRows);
-  if (WarpsHistory(options) || PassesOf(options).always_validity)
+  if (WarpsHistory(options) || ReadsReactive(options) || PassesOf(options).always_validity)
     validity = Plane(width, kBandRows);
   output_rows = Plane(width, kOutputRows);
 }
@@ -77,6 +77,8 @@ struct WARPLUT_HIDDEN SuperResolution::State {
   }
 
   MotionView Filtered(const RenderedFrame& frame);
+  void SetRenderSize(int width, int height);
+  void FitBuffers();  // to the render size of the options
   void PrefilterHistory();
   void Predict(const SrJob& job);
   void PredictPeer(const SrJob& job, const Band& rows, SrScratch& worker);
@@ -89,6 +91,7 @@ struct WARPLUT_HIDDEN SuperResolution::State {
   AxisMap x, y;
   RenderPlanes planes;
   Plane nearest_before, farthest_before;  // with a depth gate
+  Plane reactive_before;                  // with a reactive mask
   Plane residual[3];                      // in the residual and the adaptive form
   AliasingMap aliasing;                   // in the adaptive form
   ImageBuffer history;                    // where it is warped
@@ -101,10 +104,11 @@ struct WARPLUT_HIDDEN SuperResolution::State {
   std::vector<SrScratch> scratch;
   ImageBuffer geometry_depth;
   MotionBuffer geometry_motion;
-  float jitter_x_before = 0, jitter_y_before = 0;
-  bool has_history = false;   // the frame before is kept
-  bool is_cut = true;         // the last frame shared nothing with one before
-  bool has_geometry = false;  // the geometry buffers are those of the last frame
+  AxisBefore x_before, y_before;
+  const int most_width, most_height;  // of rendered frames
+  bool has_history = false;           // the frame before is kept
+  bool is_cut = true;                 // the last frame shared nothing with one before
+  bool has_geometry = false;          // the geometry buffers are those of the last frame
 };
 
 inline SuperResolution::State::State(const SuperResolutionOptions& chosen, Executor& runner)
@@ -114,13 +118,17 @@ inline SuperResolution::State::State(const SuperResolutionOptions& chosen, Execu
       peer_passes(PeerPassesOf(options)),
       x(options.render_width, options.output_width),
       y(options.render_height, options.output_height),
-      planes(options.render_width, options.render_height, ReadsMotion(options)),
-      next(options.output_width, options.output_height, HistoryFormatOf(options)) {
+      planes(options.render_width, options.render_height, ReadsMotion(options),
+             ReadsReactive(options)),
+      next(options.output_width, options.output_height, HistoryFormatOf(options)),
+      most_width(options.render_width),
+      most_height(options.render_height) {
   const auto plane = [&] { return Plane(options.render_width, options.render_height); };
   if (DepthOf(options) != DepthMeasure::kNone) {
     nearest_before = plane();
     farthest_before = plane();
   }
+  if (ReadsReactive(options)) reactive_before = plane();
   if (HasResidual(options)) {
     for (Plane& channel : residual) channel = plane();
   }
@@ -157,8 +165,9 @@ inline SrJob SuperResolution::State::Job() const {
           planes,
           nearest_before,
           farthest_before,
-          jitter_x_before,
-          jitter_y_before,
+          reactive_before,
+          x_before,
+          y_before,
           has_history,
           history.view(),
           coefficients.view(),
@@ -166,6 +175,25 @@ inline SrJob SuperResolution::State::Job() const {
           {},
           residual,
           &aliasing};
+}
+
+// The planes stay those of the last frame, for its geometry, until the next one fills them.
+inline void SuperResolution::State::SetRenderSize(int width, int height) {
+  if (width == options.render_width && height == options.render_height) return;
+  options.render_width = width;
+  options.render_height = height;
+  if (filter) filter = std::make_unique<MotionFilter>(width, height, MotionFilterOptions{});
+}
+
+inline void SuperResolution::State::FitBuffers() {
+  const int width = options.render_width, height = options.render_height;
+  if (x.render() == width && y.render() == height) return;
+  x.SetRender(width);
+  y.SetRender(height);
+  planes.SetSize(width, height);
+  for (Plane& channel : residual) channel.SetSize(width, height);
+  if (SmoothsAliasing(options)) aliasing.SetSize(width, height, x.scale() * y.scale());
+  for (SrScratch& worker : scratch) worker.SetRenderWidth(width);
 }
 
 inline MotionView SuperResolution::State::Filtered(const RenderedFrame& frame) {
@@ -223,6 +251,7 @@ inline void SuperResolution::State::PredictPeer(const SrJob& job, const Band& ro
 inline void SuperResolution::State::Process(const RenderedFrame& frame,
                                             const MutableImageView& out) {
   const int render_rows = options.render_height;
+  FitBuffers();
   x.SetJitter(frame.jitter_x);
   y.SetJitter(frame.jitter_y);
   is_cut = !has_history || frame.cut;
@@ -252,10 +281,15 @@ inline void SuperResolution::State::Process(const RenderedFrame& frame,
       passes.depth_range(planes.depth, begin, end, nearest_before, farthest_before);
     });
   }
+  if (ReadsReactive(options)) {
+    ForBands(render_rows, [&](int begin, int end, SrScratch&) {
+      passes.reactive_reach(planes.reactive, begin, end, reactive_before);
+    });
+  }
   if (WarpsHistory(options)) std::swap(history, next);
   std::swap(state, next_state);
-  jitter_x_before = frame.jitter_x;
-  jitter_y_before = frame.jitter_y;
+  x_before = x.AsBefore();
+  y_before = y.AsBefore();
   has_history = true;
 }
 
@@ -298,6 +332,15 @@ OutputGeometry SuperResolution::Geometry() {
           .cut = s.is_cut};
 }
 
+void SuperResolution::SetRenderSize(int width, int height) {
+  if constexpr (kPipeline.super_resolution) state_->SetRenderSize(width, height);
+}
+
+bool SuperResolution::IsRenderSize(int width, int height, std::string* why) const {
+  const State& s = *state_;
+  return IsRenderSizeOf(s.options, width, height, s.most_width, s.most_height, why);
+}
+
 void SuperResolution::Reset() { state_->has_history = false; }
 
 void SuperResolution::SetParameters(const Parameters& parameters, float gate_width) {
@@ -317,10 +360,11 @@ FrameTiles SuperResolution::Tiles() const {
 std::size_t SuperResolution::MemoryBytes() const {
   const State& s = *state_;
   std::size_t bytes = s.x.bytes() + s.y.bytes() + s.planes.bytes() + s.nearest_before.bytes() +
-                      s.farthest_before.bytes() + 3 * s.residual[0].bytes() + s.aliasing.bytes() +
-                      s.history.bytes() + s.coefficients.bytes() + s.next.bytes() +
-                      s.state.bytes() + s.next_state.bytes() + s.filtered.bytes() +
-                      s.geometry_depth.bytes() + s.geometry_motion.bytes();
+                      s.farthest_before.bytes() + s.reactive_before.bytes() +
+                      3 * s.residual[0].bytes() + s.aliasing.bytes() + s.history.bytes() +
+                      s.coefficients.bytes() + s.next.bytes() + s.state.bytes() +
+                      s.next_state.bytes() + s.filtered.bytes() + s.geometry_depth.bytes() +
+                      s.geometry_motion.bytes();
   if (s.filter) bytes += s.filter->MemoryBytes();
   if (s.prefilter) bytes += s.prefilter->bytes();
   for (const SrScratch& scratch : s.scratch) bytes += scratch.bytes();

@@ -24,9 +24,9 @@ std::string Output(const std::string& program) {
   return text;
 }
 
-// The number behind "PSNR ", in dB.
-double PrintedPsnr(const std::string& output) {
-  const std::size_t at = output.find("PSNR ");
+// The number behind "PSNR " of the line that begins so, in dB; of the first line by default.
+double PrintedPsnr(const std::string& output, const std::string& line = "") {
+  const std::size_t at = output.find("PSNR ", output.find(line));
   EXPECT_NE(at, std::string::npos) << output;
   return at == std::string::npos ? 0 : std::strtod(output.c_str() + at + 5, nullptr);
 }
@@ -65,6 +65,13 @@ TEST(Example, AnInterpolatedFrameIsBetterThanTheFrameBefore) {
   example::Scene scene(160, 90, 320, 180), later(160, 90, 320, 180);
   const double repeated = example::Psnr(scene.Reference(10), later.Reference(10.5));
   EXPECT_GT(PrintedPsnr(Output(CHAINED)), repeated + 10);
+}
+
+TEST(Example, AMaskAndALayerAreBetterThanNone) {
+  const std::string output = Output(MASKS);
+  EXPECT_GT(PrintedPsnr(output, "with a reactive mask"),
+            PrintedPsnr(output, "sparks without a mask") + 1);
+  EXPECT_GT(PrintedPsnr(output, "HUD as a layer"), PrintedPsnr(output, "HUD in the frames") + 3);
 }
 
 TEST(Example, JobsOfAnEngineGiveTheSameBits) {

@@ -20,8 +20,8 @@ bool IsThin(const float (&luma)[5][5], float ratio) {
   }
   const Plane none;
   const AliasingMap aliasing;
-  const SrJob job{options, axis, axis, planes, none, none,  0,        0,
-                  false,   {},   {},   {},     {},   &none, &aliasing};
+  const SrJob job{options, axis,  axis, planes, none, none, none,  {},
+                  {},      false, {},   {},     {},   {},   &none, &aliasing};
   return peers::IsThinFeature(job, 2, 2, ratio);
 }
 
@@ -103,9 +103,22 @@ TEST(Fsr2, AHistoryIsLimitedToTheTexelsAroundItsSource) {
     const RenderPlanes planes;
     const Plane none;
     const AliasingMap aliasing;
-    const SrJob job{options, x,           y,  planes, none,
-                    none,    0,           0,  true,   std::as_const(history).view(),
-                    {},      next.view(), {}, &none,  &aliasing};
+    const SrJob job{options,
+                    x,
+                    y,
+                    planes,
+                    none,
+                    none,
+                    none,
+                    {},
+                    {},
+                    true,
+                    std::as_const(history).view(),
+                    {},
+                    next.view(),
+                    {},
+                    &none,
+                    &aliasing};
     peers::LimitToTexels(job, std::as_const(motion).view(), 2, 1);
     return next.view().Row<float>(1)[8];
   };

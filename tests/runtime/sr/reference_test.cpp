@@ -32,8 +32,9 @@ class TestJob {
             .planes = planes,
             .nearest_before = nearest,
             .farthest_before = farthest,
-            .jitter_x_before = x.jitter(),
-            .jitter_y_before = y.jitter(),
+            .reactive_before = reactive,
+            .x_before = x.AsBefore(),
+            .y_before = y.AsBefore(),
             .has_history = true,
             .history = {},
             .coefficients = {},
@@ -46,7 +47,7 @@ class TestJob {
   SuperResolutionOptions options;
   AxisMap x, y;
   RenderPlanes planes;
-  Plane nearest, farthest;
+  Plane nearest, farthest, reactive;
 };
 
 TEST(Planes, BrokenValuesBecomeOrdinaryOnes) {
