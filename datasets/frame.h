@@ -29,6 +29,9 @@ struct Camera {
 //   motion            2 channels x, y: displacement in pixels of its own grid, from frame f-1 to
 //                     frame f, of what is seen at the pixel; y down. The previous position is
 //                     p - m. No jitter in it.
+//   reactive          1 channel: from 0, history is trusted as without it, to 1, there is none.
+//   hud               4 channels R, G, B, alpha: what is drawn over the frame on the output grid,
+//                     in the encoding of the colour, premultiplied by alpha.
 //   jitter            LR pixel (i, j) shows what projects, unjittered, to
 //                     (i + 0.5 + x, j + 0.5 + y).
 struct Frame {
@@ -36,6 +39,8 @@ struct Frame {
   bool cut = false;                                    // shares nothing with the frame before
   Image color, depth, motion;                          // render grid (LR)
   Image reference, reference_depth, reference_motion;  // output grid (HR)
+  Image reactive;                                      // render grid
+  Image hud;                                           // output grid
   Vec2 jitter;
   std::optional<Camera> camera;
 };

@@ -29,6 +29,8 @@ constexpr std::pair<Streams, const char*> kStreamNames[] = {
     {Streams::kReference, "reference"},
     {Streams::kReferenceDepth, "reference_depth"},
     {Streams::kReferenceMotion, "reference_motion"},
+    {Streams::kReactive, "reactive"},
+    {Streams::kHud, "hud"},
 };
 
 // 8 bits of a colour outside [0, 1] are rounding; more is another colour space.
@@ -45,8 +47,34 @@ class FrameReader {
     const bool linear = sequence_.color_space == ColorSpace::kLinear;
     Image color =
         ToRgb(ReadImage(path, stream.channels, linear ? Values::kNumbers : Values::kFinite));
-    if (!linear) CheckDisplayRange(path, &color);
+    if (!linear) CheckRange(path, "colour value", ", or color_space \"linear\"", &color);
     return color;
+  }
+
+  Image Mask(const MaskStream& stream, GridSize grid) const {
+    const fs::path path = PathOf(stream.path);
+    Check(path, grid, stream.channels, 1, Encoding::kFloat);
+    Image mask = ReadImage(path, stream.channels);
+    CheckRange(path, "mask value", "", &mask);
+    return mask;
+  }
+
+  // Premultiplied, however it is stored.
+  Image Layer(const LayerStream& stream, GridSize grid) const {
+    const fs::path path = PathOf(stream.path);
+    Check(path, grid, stream.channels, 4, Encoding::kFloat);
+    Image layer = ReadImage(path, stream.channels);
+    Image alpha = Channel(layer, 3);
+    CheckRange(path, "alpha", "", &alpha);
+    if (sequence_.color_space != ColorSpace::kLinear) {
+      CheckRange(path, "value", ", or color_space \"linear\"", &layer);
+    }
+    const bool straight = stream.alpha == AlphaKind::kStraight;
+    for (std::size_t i = 0; i < layer.pixels(); ++i) {
+      for (std::size_t c = 0; straight && c < 3; ++c) layer.data[4 * i + c] *= alpha.data[i];
+      layer.data[4 * i + 3] = alpha.data[i];
+    }
+    return layer;
   }
 
   Image Depth(const DepthStream& stream, GridSize grid) const {
@@ -136,15 +164,15 @@ class FrameReader {
     return rgb;
   }
 
-  static void CheckDisplayRange(const fs::path& path, Image* color) {
-    for (std::size_t i = 0; i < color->data.size(); ++i) {
-      float& v = color->data[i];
+  static void CheckRange(const fs::path& path, const char* what, const char* otherwise,
+                         Image* image) {
+    for (std::size_t i = 0; i < image->data.size(); ++i) {
+      float& v = image->data[i];
       if (!(v >= -kColorSlack && v <= 1 + kColorSlack)) {
-        const std::size_t pixel = i / 3, width = static_cast<std::size_t>(color->width);
-        throw Error(
-            fmt::format("'{}': pixel ({}, {}) has the colour value {}; expected 0 to 1, or "
-                        "color_space \"linear\"",
-                        path.string(), pixel % width, pixel / width, v));
+        const std::size_t pixel = i / static_cast<std::size_t>(image->channels);
+        const auto width = static_cast<std::size_t>(image->width);
+        throw Error(fmt::format("'{}': pixel ({}, {}) has the {} {}; expected 0 to 1{}",
+                                path.string(), pixel % width, pixel / width, what, v, otherwise));
       }
       v = std::clamp(v, 0.0F, 1.0F);
     }
@@ -168,7 +196,6 @@ class MotionLoader {
       : sequence_(sequence),
         stream_(output ? *sequence.reference_motion : *sequence.motion),
         depth_(output ? sequence.reference_depth : sequence.depth),
-        grid_(output ? sequence.output : sequence.render),
         jittered_(!output) {}
 
   // (0, 0) where there is none and the camera does not tell.
@@ -180,17 +207,22 @@ class MotionLoader {
   }
 
  private:
+  GridSize GridOf(int index) const {
+    return jittered_ ? sequence_.RenderSize(index) : sequence_.output;
+  }
+
   // NaN where there is none.
   Image Stored(int index) const {
+    const GridSize grid = GridOf(index);
     const bool forward = stream_.direction == MotionDirection::kCurrentToNext;
     const int at = forward ? index - 1 : index;  // the frame whose pixels the file has
     const int file = at + stream_.frame_offset;
     if (at < 0 || file < 0 || file >= sequence_.count) {
-      Image none(grid_.width, grid_.height, 2);
+      Image none(grid.width, grid.height, 2);
       std::fill(none.data.begin(), none.data.end(), std::nanf(""));
       return none;
     }
-    Image motion = FrameReader(sequence_, sequence_.Number(file)).MotionOrNan(stream_, grid_);
+    Image motion = FrameReader(sequence_, sequence_.Number(file)).MotionOrNan(stream_, grid);
     if (stream_.contains_jitter && index > 0) {
       const Vec2 now = JitterOf(index), before = JitterOf(index - 1);
       for (std::size_t i = 0; i < motion.data.size(); i += 2) {
@@ -205,7 +237,8 @@ class MotionLoader {
   void FillFromCamera(int index, Image* motion) const {
     if (sequence_.camera.empty() || !depth_ || !MayMissMotion(*motion)) return;
     const auto i = static_cast<std::size_t>(index);
-    const CameraStep step(sequence_.camera[i - 1], sequence_.camera[i], grid_.width, grid_.height,
+    const GridSize grid = GridOf(index);
+    const CameraStep step(sequence_.camera[i - 1], sequence_.camera[i], grid.width, grid.height,
                           jittered_ ? JitterOf(index) : Vec2{});
     if (!step.Valid() || step.AtRest()) return;
     const bool finite = std::isfinite(depth_->far);
@@ -218,7 +251,7 @@ class MotionLoader {
   }
 
   Image DepthOf(int index) const {
-    return FrameReader(sequence_, sequence_.Number(index)).Depth(*depth_, grid_);
+    return FrameReader(sequence_, sequence_.Number(index)).Depth(*depth_, GridOf(index));
   }
 
   Vec2 JitterOf(int index) const {
@@ -229,7 +262,6 @@ class MotionLoader {
   const Sequence& sequence_;
   const MotionStream& stream_;
   const std::optional<DepthStream>& depth_;
-  GridSize grid_;
   bool jittered_;
 };
 
@@ -242,6 +274,8 @@ Streams AvailableStreams(const Sequence& s) {
   if (s.reference) set = set | Streams::kReference;
   if (s.reference_depth) set = set | Streams::kReferenceDepth;
   if (s.reference_motion) set = set | Streams::kReferenceMotion;
+  if (s.reactive) set = set | Streams::kReactive;
+  if (s.hud) set = set | Streams::kHud;
   return set;
 }
 
@@ -274,6 +308,8 @@ std::vector<fs::path> FrameFiles(const Sequence& s, int index, Streams which) {
   add_stream(Streams::kReference, s.reference);
   add_stream(Streams::kReferenceDepth, s.reference_depth);
   add_motion(Streams::kReferenceMotion, s.reference_motion);
+  add_stream(Streams::kReactive, s.reactive);
+  add_stream(Streams::kHud, s.hud);
   return files;
 }
 
@@ -296,8 +332,9 @@ Frame LoadFrame(const Sequence& s, int index, Streams which) {
 
   const FrameReader reader(s, frame.number);
   const auto wants = [&](Streams stream) { return Contains(which, stream); };
-  if (wants(Streams::kColor)) frame.color = reader.Color(s.color, s.render);
-  if (wants(Streams::kDepth)) frame.depth = reader.Depth(*s.depth, s.render);
+  const GridSize render = s.RenderSize(index);
+  if (wants(Streams::kColor)) frame.color = reader.Color(s.color, render);
+  if (wants(Streams::kDepth)) frame.depth = reader.Depth(*s.depth, render);
   if (wants(Streams::kMotion)) frame.motion = MotionLoader(s, false).Load(index, frame.cut);
   if (wants(Streams::kReference)) frame.reference = reader.Color(*s.reference, s.output);
   if (wants(Streams::kReferenceDepth))
@@ -305,6 +342,8 @@ Frame LoadFrame(const Sequence& s, int index, Streams which) {
   if (wants(Streams::kReferenceMotion)) {
     frame.reference_motion = MotionLoader(s, true).Load(index, frame.cut);
   }
+  if (wants(Streams::kReactive)) frame.reactive = reader.Mask(*s.reactive, render);
+  if (wants(Streams::kHud)) frame.hud = reader.Layer(*s.hud, s.output);
   return frame;
 }
 

@@ -38,6 +38,8 @@ struct Sequence {
   std::vector<int> numbers;  // of each frame, ascending, from `first`; empty: without gaps
   GridSize render;
   GridSize output;
+  // Of each frame where they vary (dynamic resolution), at most `render`; empty: all are `render`.
+  std::vector<GridSize> render_sizes;
   ColorSpace color_space = ColorSpace::kSrgb;
 
   ColorStream color;
@@ -46,6 +48,8 @@ struct Sequence {
   std::optional<ColorStream> reference;
   std::optional<DepthStream> reference_depth;
   std::optional<MotionStream> reference_motion;
+  std::optional<MaskStream> reactive;  // render grid
+  std::optional<LayerStream> hud;      // output grid
 
   std::vector<Vec2> jitter;    // of frame index i: [i % size], render pixels, y down; empty: none
   std::vector<Camera> camera;  // one for each frame, or empty
@@ -56,6 +60,9 @@ struct Sequence {
     return numbers.empty() ? first + index : numbers[static_cast<std::size_t>(index)];
   }
   int LastNumber() const { return Number(count - 1); }
+  GridSize RenderSize(int index) const {
+    return render_sizes.empty() ? render : render_sizes[static_cast<std::size_t>(index)];
+  }
 
   // Whether a field is used that version 1 of the manifest lacks.
   bool UsesVersion2() const;
@@ -99,8 +106,9 @@ std::string SequenceJson(const Sequence& sequence);
 // Error, naming the file or the stream and the sequence: index out of range, a stream that the
 // manifest lacks, a missing or damaged file, a file of another size or with other channels, a NaN,
 // an infinite value (but in depth, where +infinity is background, and in linear colour, which is
-// left as it is: LoadClip limits it), a negative depth, and a colour outside [0, 1] unless the
-// sequence is linear. Threads may load frames of one sequence at the same time.
+// left as it is: LoadClip limits it), a negative depth, a mask or an alpha outside [0, 1], and a
+// colour outside [0, 1] unless the sequence is linear. Threads may load frames of one sequence at
+// the same time.
 Frame LoadFrame(const Sequence& sequence, int index, Streams which);
 
 }  // namespace warplut

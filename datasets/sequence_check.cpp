@@ -55,6 +55,36 @@ void CheckGrids(const Sequence& s) {
   scale("output.height", s.output.height, s.render.height);
 }
 
+void CheckRenderSizes(const Sequence& s) {
+  if (s.render_sizes.empty()) return;
+  const auto length = static_cast<std::size_t>(s.count);
+  if (s.render_sizes.size() != length) {
+    Refuse("render_sizes", fmt::format("has {} values; expected one for each of the {} frames",
+                                       s.render_sizes.size(), length));
+  }
+  const auto fits = [](int size, int render, int output) {
+    return size >= 1 && size <= render && output <= Sequence::kMaxScale * size;
+  };
+  for (std::size_t i = 0; i < length; ++i) {
+    const GridSize size = s.render_sizes[i];
+    if (fits(size.width, s.render.width, s.output.width) &&
+        fits(size.height, s.render.height, s.output.height)) {
+      continue;
+    }
+    Refuse(
+        fmt::format("render_sizes[{}]", i),
+        fmt::format("is {} x {}; expected at most {} x {}, as 'render' says, and a {}th of the "
+                    "output at least",
+                    size.width, size.height, s.render.width, s.render.height, Sequence::kMaxScale));
+  }
+  if (s.motion && (s.motion->direction == MotionDirection::kCurrentToNext ||
+                   s.motion->frame_offset != 0 || s.motion->contains_jitter)) {
+    Refuse("render_sizes",
+           "is there, and the motion is forward flow, of another frame or with "
+           "jitter; expected that of its own frame without jitter");
+  }
+}
+
 void CheckPattern(const std::string& pattern, const std::string& field) {
   std::string why;
   if (!IsFramePattern(pattern, &why)) Refuse(field, fmt::format("(\"{}\") {}", pattern, why));
@@ -78,6 +108,16 @@ void CheckScale(double scale, double bias, const std::string& stream) {
 void CheckColor(const ColorStream& c, const std::string& stream) {
   CheckPattern(c.path, stream + ".path");
   CheckChannels(c.channels, c.channels.size() == 1 ? 1 : 3, stream + ".channels");
+}
+
+void CheckMask(const MaskStream& m, const std::string& stream) {
+  CheckPattern(m.path, stream + ".path");
+  CheckChannels(m.channels, 1, stream + ".channels");
+}
+
+void CheckLayer(const LayerStream& l, const std::string& stream) {
+  CheckPattern(l.path, stream + ".path");
+  CheckChannels(l.channels, 4, stream + ".channels");
 }
 
 void CheckDepth(const DepthStream& d, const std::string& stream) {
@@ -204,6 +244,9 @@ void CheckSequence(const Sequence& s) {
              "is \"included\"; expected none, as references have no jitter");
     }
   }
+  if (s.reactive) CheckMask(*s.reactive, "streams.reactive");
+  if (s.hud) CheckLayer(*s.hud, "streams.hud");
+  CheckRenderSizes(s);
   CheckJitter(s.jitter);
   CheckCamera(s);
   CheckCuts(s);
@@ -216,9 +259,9 @@ bool Sequence::UsesVersion2() const {
     return m && (m->direction == MotionDirection::kCurrentToNext || m->frame_offset != 0 ||
                  m->contains_jitter);
   };
-  return !numbers.empty() || (depth && depth->background) ||
-         (reference_depth && reference_depth->background) || stored_apart(motion) ||
-         stored_apart(reference_motion);
+  return !numbers.empty() || reactive || hud || !render_sizes.empty() ||
+         (depth && depth->background) || (reference_depth && reference_depth->background) ||
+         stored_apart(motion) || stored_apart(reference_motion);
 }
 
 bool Sequence::IsValid(std::string* why) const {

@@ -1,4 +1,4 @@
-// sequence.json: Sequence from and to text.
+// sequence.json: Sequence from text.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,42 +8,10 @@
 #include "datasets/error.h"
 #include "datasets/file.h"
 #include "datasets/json_fields.h"
-#include "datasets/sequence.h"
+#include "datasets/sequence_names.h"
 
 namespace warplut {
 namespace {
-
-using Json = nlohmann::ordered_json;
-template <class T, std::size_t n>
-using Names = std::array<std::pair<T, const char*>, n>;
-
-constexpr Names<ColorSpace, 2> kColorSpaces{
-    {{ColorSpace::kSrgb, "srgb"}, {ColorSpace::kLinear, "linear"}}};
-constexpr Names<Encoding, 2> kEncodings{
-    {{Encoding::kFloat, "float"}, {Encoding::kRgba8Base255, "rgba8-base255"}}};
-constexpr Names<DepthKind, 3> kDepthKinds{{{DepthKind::kLinear, "linear"},
-                                           {DepthKind::kForward, "forward"},
-                                           {DepthKind::kReversed, "reversed"}}};
-constexpr Names<MotionUnits, 3> kMotionUnits{
-    {{MotionUnits::kPixels, "pixels"}, {MotionUnits::kUv, "uv"}, {MotionUnits::kNdc, "ndc"}}};
-constexpr Names<MotionDirection, 3> kDirections{
-    {{MotionDirection::kPreviousToCurrent, "previous-to-current"},
-     {MotionDirection::kCurrentToPrevious, "current-to-previous"},
-     {MotionDirection::kCurrentToNext, "current-to-next"}}};
-constexpr Names<bool, 2> kJitterIn{{{false, "excluded"}, {true, "included"}}};
-constexpr Names<YAxis, 2> kYAxes{{{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
-
-constexpr const char* kRenderGrid = "render";
-constexpr const char* kOutputGrid = "output";
-constexpr const char* kJitterUnits = "render-pixels";
-
-template <class T, std::size_t n>
-const char* NameOf(const Names<T, n>& names, T value) {
-  for (const auto& [v, name] : names) {
-    if (v == value) return name;
-  }
-  return "";
-}
 
 // A field of which version 1 knows one value.
 void TakeFixed(JsonFields& fields, const char* name, const char* value) {
@@ -88,6 +56,25 @@ ColorStream TakeColor(JsonFields fields, const char* grid) {
   stream.path = fields.Text("path");
   TakeFixed(fields, "grid", grid);
   stream.channels = TakeChannels(fields);
+  fields.Finish();
+  return stream;
+}
+
+MaskStream TakeMask(JsonFields fields) {
+  MaskStream stream;
+  stream.path = fields.Text("path");
+  TakeFixed(fields, "grid", kRenderGridName);
+  stream.channels = TakeChannels(fields);
+  fields.Finish();
+  return stream;
+}
+
+LayerStream TakeLayer(JsonFields fields) {
+  LayerStream stream;
+  stream.path = fields.Text("path");
+  TakeFixed(fields, "grid", kOutputGridName);
+  stream.channels = TakeChannels(fields);
+  stream.alpha = fields.OneOf("alpha", kAlphaKinds);
   fields.Finish();
   return stream;
 }
@@ -156,16 +143,19 @@ MotionStream TakeMotion(JsonFields fields, const char* grid) {
 }
 
 void TakeStreams(JsonFields fields, Sequence* s) {
-  s->color = TakeColor(fields.Object("color"), kRenderGrid);
-  if (fields.Has("depth")) s->depth = TakeDepth(fields.Object("depth"), kRenderGrid);
-  if (fields.Has("motion")) s->motion = TakeMotion(fields.Object("motion"), kRenderGrid);
-  if (fields.Has("reference")) s->reference = TakeColor(fields.Object("reference"), kOutputGrid);
+  s->color = TakeColor(fields.Object("color"), kRenderGridName);
+  if (fields.Has("depth")) s->depth = TakeDepth(fields.Object("depth"), kRenderGridName);
+  if (fields.Has("motion")) s->motion = TakeMotion(fields.Object("motion"), kRenderGridName);
+  if (fields.Has("reference"))
+    s->reference = TakeColor(fields.Object("reference"), kOutputGridName);
   if (fields.Has("reference_depth")) {
-    s->reference_depth = TakeDepth(fields.Object("reference_depth"), kOutputGrid);
+    s->reference_depth = TakeDepth(fields.Object("reference_depth"), kOutputGridName);
   }
   if (fields.Has("reference_motion")) {
-    s->reference_motion = TakeMotion(fields.Object("reference_motion"), kOutputGrid);
+    s->reference_motion = TakeMotion(fields.Object("reference_motion"), kOutputGridName);
   }
+  if (fields.Has("reactive")) s->reactive = TakeMask(fields.Object("reactive"));
+  if (fields.Has("hud")) s->hud = TakeLayer(fields.Object("hud"));
   fields.Finish();
 }
 
@@ -186,8 +176,19 @@ void TakeNumbers(JsonFields fields, Sequence* s) {
   fields.Finish();
 }
 
+std::vector<GridSize> TakeRenderSizes(const nlohmann::json& value, const JsonPlace& at) {
+  std::vector<GridSize> sizes;
+  for (const auto& element : at.Array(value)) {
+    const JsonPlace here = at.Element(sizes.size());
+    const auto& size = here.Array(element, 2);
+    sizes.push_back({here.Integer(size[0]), here.Integer(size[1])});
+  }
+  if (sizes.empty()) at.Fail("has no values; expected one for each frame, or no such field");
+  return sizes;
+}
+
 std::vector<Vec2> TakeJitter(JsonFields fields) {
-  TakeFixed(fields, "units", kJitterUnits);
+  TakeFixed(fields, "units", kJitterUnitsName);
   const double sign = fields.OneOf("y", kYAxes) == YAxis::kDown ? 1 : -1;
   const JsonPlace at = fields.At("offsets");
   const auto& offsets = at.Array(fields.Take("offsets"));
@@ -218,76 +219,6 @@ std::vector<Camera> TakeCamera(const nlohmann::json& value, const JsonPlace& at)
     fields.Finish();
   }
   return cameras;
-}
-
-Json Channels(const std::vector<std::string>& channels, Json stream) {
-  if (!channels.empty()) stream["channels"] = channels;
-  return stream;
-}
-
-// `base` with encoding, scale and bias where they are not what a reader takes without them.
-template <class Stream>
-Json Encoded(const Stream& s, Json base) {
-  const Stream otherwise;
-  Json json = Channels(s.channels, std::move(base));
-  if (s.encoding != otherwise.encoding) json["encoding"] = NameOf(kEncodings, s.encoding);
-  if (s.scale != otherwise.scale) json["scale"] = s.scale;
-  if (s.bias != otherwise.bias) json["bias"] = s.bias;
-  return json;
-}
-
-Json ToJson(const ColorStream& s, const char* grid) {
-  return Channels(s.channels, {{"path", s.path}, {"grid", grid}});
-}
-
-Json ToJson(const DepthStream& s, const char* grid) {
-  Json json = Encoded(s, {{"path", s.path}, {"grid", grid}});
-  json["kind"] = NameOf(kDepthKinds, s.kind);
-  json["near"] = s.near;
-  json["far"] = s.far;  // infinity becomes null
-  if (s.background) json["background"] = *s.background;
-  return json;
-}
-
-Json ToJson(const MotionStream& s, const char* grid) {
-  Json json =
-      s.path.empty() ? Json{{"path_x", s.path_x}, {"path_y", s.path_y}} : Json{{"path", s.path}};
-  json["grid"] = grid;
-  json = Encoded(s, std::move(json));
-  json["units"] = NameOf(kMotionUnits, s.units);
-  json["direction"] = NameOf(kDirections, s.direction);
-  json["y"] = NameOf(kYAxes, s.y);
-  if (s.invalid) {
-    json["invalid"] = s.invalid->channel.empty() ? Json(s.invalid->values)
-                                                 : Json{{"channel", s.invalid->channel}};
-  }
-  if (s.frame_offset != 0) json["frame_offset"] = s.frame_offset;
-  if (s.contains_jitter) json["jitter"] = NameOf(kJitterIn, true);
-  return json;
-}
-
-// The elements of `json`, one on a line, so that a person can read a camera or a stream at a
-// glance.
-std::string Lines(const Json& json) {
-  const bool object = json.is_object();
-  std::string lines = object ? "{" : "[";
-  const char* separator = "\n  ";
-  for (const auto& [name, value] : json.items()) {
-    lines += separator + (object ? JsonText(Json(name)) + ": " : "") + JsonText(value);
-    separator = ",\n  ";
-  }
-  return lines + (object ? "}" : "]");
-}
-
-Json StreamsJson(const Sequence& s) {
-  Json streams;
-  streams["color"] = ToJson(s.color, kRenderGrid);
-  if (s.depth) streams["depth"] = ToJson(*s.depth, kRenderGrid);
-  if (s.motion) streams["motion"] = ToJson(*s.motion, kRenderGrid);
-  if (s.reference) streams["reference"] = ToJson(*s.reference, kOutputGrid);
-  if (s.reference_depth) streams["reference_depth"] = ToJson(*s.reference_depth, kOutputGrid);
-  if (s.reference_motion) streams["reference_motion"] = ToJson(*s.reference_motion, kOutputGrid);
-  return streams;
 }
 
 }  // namespace
@@ -338,6 +269,9 @@ Sequence ReadSequence(const std::filesystem::path& path) {
   TakeNumbers(root.Object("frames"), &s);
   s.render = TakeGrid(root, "render");
   s.output = TakeGrid(root, "output");
+  if (root.Has("render_sizes")) {
+    s.render_sizes = TakeRenderSizes(root.Take("render_sizes"), root.At("render_sizes"));
+  }
   s.color_space = root.OneOf("color_space", kColorSpaces);
   TakeStreams(root.Object("streams"), &s);
   if (root.Has("jitter")) s.jitter = TakeJitter(root.Object("jitter"));
@@ -356,45 +290,6 @@ Sequence ReadSequence(const std::filesystem::path& path) {
     root.At("version").Fail("is 1, and the manifest has fields of version 2; expected 2");
   if (std::string why; !s.IsValid(&why)) throw Error(fmt::format("'{}': {}", file, why));
   return s;
-}
-
-std::string SequenceJson(const Sequence& s) {
-  if (std::string why; !s.IsValid(&why)) {
-    throw Error(fmt::format("the sequence '{}' cannot be written: {}", s.name, why));
-  }
-  std::string text = "{";
-  const char* separator = "\n ";
-  const auto add = [&](const char* field, const std::string& value) {
-    text += fmt::format("{}\"{}\": {}", separator, field, value);
-    separator = ",\n ";
-  };
-  const auto size = [](GridSize g) {
-    return JsonText(Json{{"width", g.width}, {"height", g.height}});
-  };
-  add("format", JsonText(Json(Sequence::kFormat)));
-  add("version", std::to_string(s.UsesVersion2() ? Sequence::kLatestVersion : Sequence::kVersion));
-  add("name", JsonText(Json(s.name)));
-  add("frames", JsonText(s.numbers.empty() ? Json{{"first", s.first}, {"count", s.count}}
-                                           : Json{{"numbers", s.numbers}}));
-  add("render", size(s.render));
-  add("output", size(s.output));
-  add("color_space", JsonText(Json(NameOf(kColorSpaces, s.color_space))));
-  add("streams", Lines(StreamsJson(s)));
-  if (!s.jitter.empty()) {
-    Json offsets = Json::array();
-    for (const Vec2& v : s.jitter) offsets.push_back({v.x, v.y});
-    add("jitter",
-        Lines(
-            {{"units", kJitterUnits}, {"y", NameOf(kYAxes, YAxis::kDown)}, {"offsets", offsets}}));
-  }
-  if (!s.camera.empty()) {
-    Json cameras = Json::array();
-    for (const Camera& c : s.camera)
-      cameras.push_back({{"view", c.view}, {"projection", c.projection}});
-    add("camera", Lines(cameras));
-  }
-  add("cuts", JsonText(Json(s.cuts)));
-  return text + "\n}\n";
 }
 
 }  // namespace warplut

@@ -43,6 +43,8 @@ std::vector<Target> Targets(const Sequence& s) {
   if (s.reference) color(*s.reference);
   if (s.reference_depth) values(s.reference_depth->path, *s.reference_depth);
   if (s.reference_motion) motion(*s.reference_motion);
+  if (s.reactive) targets.push_back({s.reactive->path, s.reactive->channels, {".png", ".exr"}});
+  if (s.hud) targets.push_back({s.hud->path, s.hud->channels, {".png", ".exr"}});
   return targets;
 }
 
@@ -102,6 +104,22 @@ class FrameWriter {
                stream.channels);
   }
 
+  void Mask(const MaskStream& stream, const Image& image, GridSize grid, const char* name) const {
+    Check(image, grid, 1, name);
+    WriteMask(PathOf(stream.path), image, stream.channels);
+  }
+
+  // `image` is premultiplied; the colours of transparent pixels are lost where that is undone.
+  void Layer(const LayerStream& stream, const Image& image, GridSize grid, const char* name) const {
+    Check(image, grid, 4, name);
+    Image layer = image;
+    for (std::size_t i = 0; stream.alpha == AlphaKind::kStraight && i < layer.pixels(); ++i) {
+      const float alpha = layer.data[4 * i + 3];
+      for (std::size_t c = 0; c < 3 && alpha > 0; ++c) layer.data[4 * i + c] /= alpha;
+    }
+    WriteMask(PathOf(stream.path), layer, stream.channels);
+  }
+
   void Depth(const DepthStream& stream, const Image& image, GridSize grid, const char* name) const {
     Check(image, grid, 1, name);
     const fs::path path = PathOf(stream.path);
@@ -133,6 +151,12 @@ class FrameWriter {
  private:
   fs::path PathOf(const std::string& pattern) const {
     return sequence_.folder / FrameFileName(pattern, number_);
+  }
+
+  static void WriteMask(const fs::path& path, const Image& image,
+                        const std::vector<std::string>& names) {
+    WriteImage(path, image, path.extension() == ".png" ? PixelType::kUint8 : PixelType::kHalf,
+               names);
   }
 
   void Check(const Image& image, GridSize grid, int channels, const char* name) const {
@@ -199,6 +223,10 @@ Sequence StandardSequence(const std::string& name, int first, int count, GridSiz
   if (Contains(streams, Streams::kReference)) s.reference = color("hr");
   if (Contains(streams, Streams::kReferenceDepth)) s.reference_depth = depth("hr");
   if (Contains(streams, Streams::kReferenceMotion)) s.reference_motion = motion("hr");
+  if (Contains(streams, Streams::kReactive)) s.reactive = MaskStream{"lr/reactive/%04d.png", {}};
+  if (Contains(streams, Streams::kHud)) {
+    s.hud = LayerStream{fmt::format("hr/hud/%04d{}", color_type), {}, AlphaKind::kPremultiplied};
+  }
   return s;
 }
 
@@ -247,19 +275,22 @@ void SequenceWriter::Write(int index, const Frame& frame) const {
       throw Error(fmt::format("cannot remove '{}': {}", manifest().string(), error.message()));
   }
   const FrameWriter writer(s, s.Number(index));
-  writer.Color(s.color, frame.color, s.render, "color");
-  if (s.depth) writer.Depth(*s.depth, frame.depth, s.render, "depth");
-  if (s.motion) writer.Motion(*s.motion, frame.motion, s.render, "motion");
+  const GridSize render = s.RenderSize(index);
+  writer.Color(s.color, frame.color, render, "color");
+  if (s.depth) writer.Depth(*s.depth, frame.depth, render, "depth");
+  if (s.motion) writer.Motion(*s.motion, frame.motion, render, "motion");
   if (s.reference) writer.Color(*s.reference, frame.reference, s.output, "reference");
   if (s.reference_depth)
     writer.Depth(*s.reference_depth, frame.reference_depth, s.output, "reference_depth");
   if (s.reference_motion)
     writer.Motion(*s.reference_motion, frame.reference_motion, s.output, "reference_motion");
+  if (s.reactive) writer.Mask(*s.reactive, frame.reactive, render, "reactive");
+  if (s.hud) writer.Layer(*s.hud, frame.hud, s.output, "hud");
 }
 
 void SequenceWriter::Finish() const {
   for (int index = 0; index < sequence_.count; ++index) {
-    for (const fs::path& file : FrameFiles(sequence_, index, Streams::kAll)) {
+    for (const fs::path& file : FrameFiles(sequence_, index, AvailableStreams(sequence_))) {
       if (!fs::exists(file)) {
         throw Error(fmt::format(
             "the sequence '{}' cannot be finished: '{}' is missing; expected every frame to be "

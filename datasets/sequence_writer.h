@@ -9,7 +9,8 @@
 namespace warplut {
 
 // A Sequence with the usual layout: lr/color/%04d.png, lr/depth/%04d.exr (Z), lr/motion/%04d.exr
-// (X, Y) and hr/ alike for the references; colour in .exr where linear. Linear depth from near to
+// (X, Y) and hr/ alike for the references; lr/reactive/%04d.png, hr/hud/%04d.png (premultiplied);
+// colour and HUD in .exr where linear. Linear depth from near to
 // far, motion in pixels from previous to current, y down. `streams` always includes color. Jitter,
 // camera and cuts are left empty.
 Sequence StandardSequence(const std::string& name, int first, int count, GridSize render,
@@ -22,7 +23,8 @@ Sequence StandardSequence(const std::string& name, int first, int count, GridSiz
 // written atomically. Not for two writers in one folder at a time; one writer may be used from
 // several threads for different frames.
 //
-// Formats: colour .png (8 bit) or .exr (half); depth and motion .exr (float), or .png where packed.
+// Formats: colour, masks and layers .png (8 bit) or .exr (half); depth and motion .exr (float), or
+// .png where packed.
 class SequenceWriter {
  public:
   // `sequence.folder` is set to `folder`. Creates the folders. Error: `sequence` is not valid or

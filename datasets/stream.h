@@ -18,9 +18,11 @@ enum class Streams : std::uint8_t {
   kReference = 8,
   kReferenceDepth = 16,
   kReferenceMotion = 32,
+  kReactive = 64,
+  kHud = 128,
   kRenderGrid = kColor | kDepth | kMotion,
   kOutputGrid = kReference | kReferenceDepth | kReferenceMotion,
-  kAll = kRenderGrid | kOutputGrid,
+  kAll = kRenderGrid | kOutputGrid,  // of a scene; masks and layers are asked for by themselves
 };
 
 constexpr Streams operator|(Streams a, Streams b) {
@@ -56,6 +58,22 @@ enum class YAxis : std::uint8_t { kDown, kUp };
 struct ColorStream {
   std::string path;
   std::vector<std::string> channels;  // 1 or 3 names
+};
+
+// Numbers from 0 to 1.
+struct MaskStream {
+  std::string path;
+  std::vector<std::string> channels;  // 1 name
+};
+
+// Whether the colours of a layer are stored as they are or times its alpha.
+enum class AlphaKind : std::uint8_t { kStraight, kPremultiplied };
+
+// R, G, B and alpha of what is drawn over a frame.
+struct LayerStream {
+  std::string path;
+  std::vector<std::string> channels;  // 4 names
+  AlphaKind alpha = AlphaKind::kPremultiplied;
 };
 
 struct DepthStream {

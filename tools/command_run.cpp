@@ -11,6 +11,7 @@
 #include "tools/device.h"
 #include "tools/interrupt.h"
 #include "tools/judge/sequence_report.h"
+#include "tools/pictures/hud_layer.h"
 #include "tools/pictures/shown_file.h"
 #include "tools/pipeline_options.h"
 #include "tools/progress.h"
@@ -121,11 +122,12 @@ class Runner {
     if (methods_.size() > 1) output.folder /= output.mode;
     CreateFolder(output.folder);
     const int first = clip.frames.front().number;
+    HudLayer hud(sequence_, range_.first, pool_);
     Progress progress("running " + output.mode,
                       ShownFrames(options, static_cast<int>(clip.frames.size())), "frames");
     RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
       ThrowIfInterrupted("run", "the frames that are written are whole");
-      WriteShownFrame(output.folder, first, shown, clip.encoding, format_);
+      WriteShownFrame(output.folder, first, hud.Over(shown), clip.encoding, format_);
       output.files.push_back(ShownFileName(first, shown.time, format_));
       if (judge) judge->Add(shown);
       progress.Add(1);

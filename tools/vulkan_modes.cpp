@@ -17,6 +17,9 @@ class VulkanSuperResolution final : public SuperResolutionPasses {
     passes_.Process(frame, out);
   }
   OutputGeometry Geometry() override { return passes_.Geometry(); }
+  void SetRenderSize(int, int) override {
+    throw Error("the render size varies; the GPU has super resolution of one size");
+  }
 
  private:
   GpuSuperResolution passes_;

@@ -66,6 +66,28 @@ TEST_F(RunCommand, WritesSuperResolvedFrames) {
   EXPECT_EQ(info.bits, 8);
 }
 
+// The HUD of the pan has white stripes on a bar that halves what is behind it.
+TEST_F(RunCommand, DrawsTheHudOverEveryFrame) {
+  const PanOptions plain = {.frames = 3};
+  WritePan(folder_ / "plain", plain);
+  PanOptions pan = plain;
+  pan.streams = Streams::kAll | Streams::kHud;
+  WritePan(folder_ / "hud", pan);
+  for (const std::string name : {"plain", "hud"}) {
+    const ProgramResult result =
+        RunWarplut({"run", "--mode", "isr", "--filter", "catmull-rom", "--sequence", Path(name),
+                    "--out", Path("out-" + name)});
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+  for (const std::string file : {"0010.png", "0010_500.png", "0012.png"}) {
+    const Image without = ReadImage(Path("out-plain/" + file));
+    const Image with = ReadImage(Path("out-hud/" + file));
+    EXPECT_EQ(with.at(5, 5, 1), without.at(5, 5, 1)) << file;
+    EXPECT_EQ(with.at(30, 33, 1), 1) << file;
+    EXPECT_NEAR(with.at(31, 33, 1), 0.5 * without.at(31, 33, 1), 1.01 / 255) << file;
+  }
+}
+
 TEST_F(RunCommand, RefusesADeviceThatThereIsNot) {
   ExpectRefused(RunWarplut(Arguments("sr", {"--device", "abacus"})), kUsage, "--device");
   EXPECT_FALSE(fs::exists(Path("out")));

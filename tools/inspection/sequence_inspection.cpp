@@ -49,9 +49,9 @@ class QuietStandardError {
   const int saved_;
 };
 
-constexpr Streams kEach[] = {Streams::kColor,          Streams::kDepth,
-                             Streams::kMotion,         Streams::kReference,
-                             Streams::kReferenceDepth, Streams::kReferenceMotion};
+constexpr Streams kEach[] = {
+    Streams::kColor,          Streams::kDepth,           Streams::kMotion,   Streams::kReference,
+    Streams::kReferenceDepth, Streams::kReferenceMotion, Streams::kReactive, Streams::kHud};
 
 const Image& StreamImage(const Frame& frame, Streams stream) {
   switch (stream) {
@@ -65,6 +65,10 @@ const Image& StreamImage(const Frame& frame, Streams stream) {
       return frame.reference_depth;
     case Streams::kReferenceMotion:
       return frame.reference_motion;
+    case Streams::kReactive:
+      return frame.reactive;
+    case Streams::kHud:
+      return frame.hud;
     default:
       return frame.color;
   }

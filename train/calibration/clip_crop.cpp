@@ -56,6 +56,10 @@ MotionBuffer Crop(const MotionBuffer& motion, int x, int y, int width, int heigh
 Clip CropClip(Clip clip, int max_pixels) {
   const double pixels = static_cast<double>(clip.output.width) * clip.output.height;
   if (max_pixels == 0 || pixels <= max_pixels) return clip;
+  if (!clip.render_sizes.empty()) {
+    throw Error(fmt::format("the render size of '{}' varies; expected one size, to take a window",
+                            clip.name));
+  }
   const double share = std::sqrt(max_pixels / pixels);
   const Window x = CentredWindow(clip.render.width, clip.output.width, share);
   const Window y = CentredWindow(clip.render.height, clip.output.height, share);
@@ -77,6 +81,7 @@ Clip CropClip(Clip clip, int max_pixels) {
     frame.color = render(frame.color);
     frame.depth = render(frame.depth);
     frame.motion = render(frame.motion);
+    frame.reactive = render(frame.reactive);
     frame.reference = output(frame.reference);
     frame.reference_depth = output(frame.reference_depth);
     frame.reference_motion = output(frame.reference_motion);

@@ -1,5 +1,6 @@
 #include "train/inspection/inspected_clip.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -93,6 +94,12 @@ Sequence AsStored(const Sequence& sequence) {
 
 InspectedClip LoadInspectedClip(const Sequence& sequence,
                                 const std::function<void(int)>& on_frames) {
+  if (!sequence.render_sizes.empty()) {
+    throw Error(fmt::format(
+        "the render size of '{}' varies; expected one size, to ask for the convention (--only "
+        "streams checks the files)",
+        sequence.name));
+  }
   const Sequence stored = AsStored(sequence);
   const std::vector<int> indices = InspectedIndices(sequence.count);
   InspectedClip clip{sequence.render, sequence.output, {}};

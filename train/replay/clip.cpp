@@ -153,7 +153,8 @@ RenderedFrame ClipFrame::Rendered() const {
           .motion = motion.view(),
           .jitter_x = static_cast<float>(jitter.x),
           .jitter_y = static_cast<float>(jitter.y),
-          .cut = cut};
+          .cut = cut,
+          .reactive = reactive.view()};
 }
 
 DisplayedFrame ClipFrame::Displayed() const {
@@ -177,6 +178,16 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
   clip.name = sequence.name;
   clip.render = sequence.render;
   clip.output = sequence.output;
+  if (!sequence.render_sizes.empty()) {
+    if (every > 1) {
+      throw Error(fmt::format(
+          "the render size of '{}' varies, and every is {}; expected 1, as motion is composed on "
+          "one grid",
+          sequence.name, every));
+    }
+    const auto begin_size = sequence.render_sizes.begin() + first;
+    clip.render_sizes.assign(begin_size, begin_size + count);
+  }
   clip.encoding = sequence.color_space == ColorSpace::kLinear ? ColorEncoding::kLinearHdr
                                                               : ColorEncoding::kDisplay;
   const PixelFormat color_format = Contains(which, Streams::kColor)
@@ -210,7 +221,10 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
     if (Contains(which, Streams::kReference)) {
       out.reference = ToBuffer(frame.reference, reference_format);
     }
-    frame.color = frame.reference = Image();
+    if (Contains(which, Streams::kReactive)) {
+      out.reactive = ToBuffer(frame.reactive, PixelFormat::kR32F);
+    }
+    frame.color = frame.reference = frame.reactive = frame.hud = Image();
   });
   clip.limited_color = limited_color;
   clip.limited_reference = limited_reference;

@@ -21,8 +21,9 @@ struct ClipFrame {
   MotionBuffer motion;
   ImageBuffer reference, reference_depth;
   MotionBuffer reference_motion;
+  ImageBuffer reactive;
 
-  RenderedFrame Rendered() const;    // color, depth, motion with its jitter
+  RenderedFrame Rendered() const;    // color, depth, motion and reactive with its jitter
   DisplayedFrame Displayed() const;  // the references, as a display shows them
 };
 
@@ -30,6 +31,7 @@ struct ClipFrame {
 struct Clip {
   std::string name;
   GridSize render, output;
+  std::vector<GridSize> render_sizes;  // of each frame, where they vary; else empty
   ColorEncoding encoding = ColorEncoding::kDisplay;
   bool quantised_motion = false;  // HasQuantisedMotion, if it was asked for
   // Channels of linear colour that were above kLargestHdr or infinite, of `color` and of
@@ -46,6 +48,7 @@ enum class MotionFiltering { kOff, kQuantised, kOn };
 // Loads the streams `which` of frames [first, first + count) by index. The motion of each frame
 // starts at the frame `every` before it in the sequence. It is composed along the frames between,
 // so that a clip can be taken from every `every`-th frame. A frame with a cut between is a cut.
+// Motion is composed of frames of one render size alone: an Error with every > 1 where it varies.
 // With every > 1 motion is filtered before it is composed, as `filtering` says (kQuantised: if that
 // of some frame is quantised). With every == 1 motion is not filtered here; kQuantised sets
 // `quantised_motion` for the passes.

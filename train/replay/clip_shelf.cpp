@@ -60,7 +60,7 @@ std::size_t ClipBytes(const Clip& clip) {
   for (const ClipFrame& frame : clip.frames) {
     bytes += frame.color.bytes() + frame.depth.bytes() + frame.motion.bytes() +
              frame.reference.bytes() + frame.reference_depth.bytes() +
-             frame.reference_motion.bytes();
+             frame.reference_motion.bytes() + frame.reactive.bytes();
   }
   return bytes;
 }

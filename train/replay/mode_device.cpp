@@ -12,6 +12,7 @@ class ProcessorSuperResolution final : public SuperResolutionPasses {
     passes_.Process(frame, out);
   }
   OutputGeometry Geometry() override { return passes_.Geometry(); }
+  void SetRenderSize(int width, int height) override { passes_.SetRenderSize(width, height); }
   FrameTiles Tiles() const override { return passes_.Tiles(); }
 
  private:

@@ -15,6 +15,8 @@ class SuperResolutionPasses {
   virtual ~SuperResolutionPasses() = default;
   virtual void Process(const RenderedFrame& frame, const MutableImageView& out) = 0;
   virtual OutputGeometry Geometry() = 0;
+  // SuperResolution::SetRenderSize. An Error where the device has one size alone.
+  virtual void SetRenderSize(int width, int height) = 0;
   // All 0 where the device does not count.
   virtual FrameTiles Tiles() const { return {}; }
 };

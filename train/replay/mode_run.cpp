@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -22,43 +23,21 @@ bool WarpsFrames(const MethodInfo& method) {
   return Generates(method) && method.generator == Generator::kWarped;
 }
 
-// Whether it is given motion and depth of its frames.
-bool ReadsGeometry(const MethodInfo& method) { return WarpsFrames(method) && !method.optical_flow; }
-
-template <class Buffer>
-bool IsOn(const Buffer& buffer, GridSize grid) {
-  const auto view = buffer.view();
-  return view.width == grid.width && view.height == grid.height;
-}
-
-// The streams that the clip has of its first frame.
-Streams LoadedStreams(const Clip& clip) {
-  const ClipFrame& frame = clip.frames.front();
-  Streams loaded = Streams::kNone;
-  const auto add = [&](Streams stream, const auto& buffer, GridSize grid) {
-    if (IsOn(buffer, grid)) loaded = loaded | stream;
-  };
-  add(Streams::kColor, frame.color, clip.render);
-  add(Streams::kDepth, frame.depth, clip.render);
-  add(Streams::kMotion, frame.motion, clip.render);
-  add(Streams::kReference, frame.reference, clip.output);
-  add(Streams::kReferenceDepth, frame.reference_depth, clip.output);
-  add(Streams::kReferenceMotion, frame.reference_motion, clip.output);
-  return loaded;
-}
-
-bool TakesReferences(const Clip& clip) { return GeneratesFromReferences(LoadedStreams(clip)); }
-
 std::string WhyClipIsUnfit(const Clip& clip, const ModeRunOptions& options) {
   const MethodInfo& method = *options.method;
   if (clip.frames.empty()) return fmt::format("the clip of '{}' has no frames", clip.name);
   const Streams needed =
-      NeededStreams(method, TakesReferences(clip) ? Streams::kAll : Streams::kRenderGrid);
+      NeededStreams(method, GeneratesFromReferences(clip) ? Streams::kAll : Streams::kRenderGrid);
   for (const ClipFrame& frame : clip.frames) {
     if (const char* stream = MissingStream(frame, clip, needed)) {
       return fmt::format("frame {} of '{}' has no stream '{}', which the method {} needs",
                          frame.number, clip.name, stream, method.name);
     }
+  }
+  if (!clip.render_sizes.empty() && !method.super_resolution && !GeneratesFromReferences(clip)) {
+    return fmt::format(
+        "the render size of '{}' varies; the method {} takes rendered frames of one size",
+        clip.name, method.name);
   }
   const int last = static_cast<int>(clip.frames.size()) - 1;
   if (Generates(method) && last < options.every) {
@@ -148,9 +127,9 @@ class ModeRun {
   void PrepareGeneration() {
     const GridSize grid = ShownGrid(clip_, method_);
     const ClipFrame& first = clip_.frames.front();
-    const PixelFormat format = method_.super_resolution ? displays_[0].color.view().format
-                               : TakesReferences(clip_) ? first.reference.view().format
-                                                        : first.color.view().format;
+    const PixelFormat format = method_.super_resolution         ? displays_[0].color.view().format
+                               : GeneratesFromReferences(clip_) ? first.reference.view().format
+                                                                : first.color.view().format;
     if (method_.optical_flow) {
       flow_.emplace(grid.width, grid.height, clip_.encoding);
       flow_motion_ = MotionBuffer(grid.width, grid.height);
@@ -166,9 +145,10 @@ class ModeRun {
     const auto id = static_cast<std::uint64_t>(index) + 1;
     if (!super_resolution_) {
       const RenderedFrame rendered = frame.Rendered();
-      display.frame = TakesReferences(clip_) ? frame.Displayed()
-                                             : DisplayedFrame{rendered.color, rendered.depth,
-                                                              rendered.motion, rendered.cut};
+      display.frame =
+          GeneratesFromReferences(clip_)
+              ? frame.Displayed()
+              : DisplayedFrame{rendered.color, rendered.depth, rendered.motion, rendered.cut};
       display.frame.id = id;
       return;
     }
@@ -176,6 +156,11 @@ class ModeRun {
     if (!HasHistory(method_)) {
       rendered.depth = no_depth_.view();
       rendered.motion = no_motion_.view();
+      rendered.depth.width = rendered.motion.width = rendered.color.width;
+      rendered.depth.height = rendered.motion.height = rendered.color.height;
+    }
+    if (!clip_.render_sizes.empty()) {
+      super_resolution_->SetRenderSize(rendered.color.width, rendered.color.height);
     }
     const Stopwatch watch;
     super_resolution_->Process(rendered, display.color.view());
@@ -287,45 +272,6 @@ class ModeRun {
 
 }  // namespace
 
-Streams NeededStreams(const MethodInfo& method, Streams available) {
-  if (method.super_resolution) {
-    return HasHistory(method) ? Streams::kRenderGrid : Streams::kColor;
-  }
-  if (GeneratesFromReferences(available)) {
-    return ReadsGeometry(method) ? Streams::kOutputGrid : Streams::kReference;
-  }
-  return ReadsGeometry(method) ? Streams::kRenderGrid : Streams::kColor;
-}
-
-bool HasHistory(const MethodInfo& method) {
-  if (!method.super_resolution) return false;
-  SuperResolutionOptions options;
-  method.configure_super_resolution(options);
-  return options.history;
-}
-
-GridSize ShownGrid(const Clip& clip, const MethodInfo& method) {
-  const bool on_output = method.super_resolution || (Generates(method) && TakesReferences(clip));
-  return on_output ? clip.output : clip.render;
-}
-
-const char* MissingStream(const ClipFrame& frame, const Clip& clip, Streams needed) {
-  const auto lacks = [&](Streams stream, const auto& buffer, GridSize grid) {
-    return Contains(needed, stream) && !IsOn(buffer, grid);
-  };
-  if (lacks(Streams::kColor, frame.color, clip.render)) return "color";
-  if (lacks(Streams::kDepth, frame.depth, clip.render)) return "depth";
-  if (lacks(Streams::kMotion, frame.motion, clip.render)) return "motion";
-  if (lacks(Streams::kReference, frame.reference, clip.output)) return "reference";
-  if (lacks(Streams::kReferenceDepth, frame.reference_depth, clip.output)) {
-    return "reference_depth";
-  }
-  if (lacks(Streams::kReferenceMotion, frame.reference_motion, clip.output)) {
-    return "reference_motion";
-  }
-  return nullptr;
-}
-
 SuperResolutionOptions EffectiveSuperResolution(const Clip& clip, const ModeRunOptions& options) {
   SuperResolutionOptions effective = options.super_resolution;
   effective.render_width = clip.render.width;
@@ -333,6 +279,9 @@ SuperResolutionOptions EffectiveSuperResolution(const Clip& clip, const ModeRunO
   effective.output_width = clip.output.width;
   effective.output_height = clip.output.height;
   effective.encoding = clip.encoding;
+  effective.reactive =
+      std::any_of(clip.frames.begin(), clip.frames.end(),
+                  [](const ClipFrame& frame) { return frame.reactive.bytes() > 0; });
   if (options.filter_quantised_motion && clip.quantised_motion) effective.motion_filter = true;
   options.method->configure_super_resolution(effective);
   if (options.method->paper) effective.parameters = kPaperParameters;

@@ -52,6 +52,9 @@ constexpr bool GeneratesFromReferences(Streams available) {
          (Contains(available, Streams::kOutputGrid) || !Contains(available, Streams::kRenderGrid));
 }
 
+// The same for the streams that the first frame of the clip has.
+bool GeneratesFromReferences(const Clip& clip);
+
 // The streams that the method takes of a sequence that has `available`, whether it has them all or
 // not.
 Streams NeededStreams(const MethodInfo& method, Streams available);

@@ -4,8 +4,10 @@
 
 #include <filesystem>
 
+#include "datasets/error.h"
 #include "datasets/file.h"
 #include "tests/datasets/temporary_folder.h"
+#include "tests/train/replay/pan_sequence.h"
 #include "tools/scene_rendering.h"
 
 namespace warplut {
@@ -33,6 +35,26 @@ TEST(InspectSequence, TellsRangesAndProblems) {
   EXPECT_NE(streams[1].problems[0].find("0001.exr"), std::string::npos);
   EXPECT_EQ(streams[2].greatest, 0) << "nothing moves in this scene";
   EXPECT_EQ(streams[3].problems.size(), 1U);
+}
+
+TEST(InspectSequence, ChecksMasksHudsAndSizesThatVary) {
+  const TemporaryFolder folder;
+  PanOptions pan = {.frames = 2, .streams = Streams::kAll | Streams::kReactive | Streams::kHud};
+  pan.render_sizes = {{40, 32}, {30, 20}};
+  pan.spot = true;
+  const Sequence sequence = WritePan(folder / "pan", pan);
+  std::filesystem::remove(folder / "pan/lr/reactive/0011.png");
+  const std::vector<StreamInspection> streams = InspectSequence(sequence, [] {});
+  ASSERT_EQ(streams.size(), 8U);
+  EXPECT_EQ(streams[6].name, "reactive");
+  EXPECT_EQ(streams[6].greatest, 1);
+  ASSERT_EQ(streams[6].problems.size(), 1U);
+  EXPECT_NE(streams[6].problems[0].find("0011.png"), std::string::npos);
+  EXPECT_EQ(streams[7].name, "hud");
+  EXPECT_EQ(streams[7].frames, 2);
+  EXPECT_THROW(InspectQuietly(
+                   sequence, [] {}, true),
+               Error);
 }
 
 TEST(ProblemText, TellsTheFirstAndHowManyMore) {

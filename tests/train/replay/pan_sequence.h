@@ -21,6 +21,9 @@ struct PanOptions {
   std::vector<int> cuts = {};
   bool jitter = true;
   bool still_first_motion = false;  // the motion of the first frame is 0, as engines write it
+  std::vector<GridSize> render_sizes = {};  // of each frame, where they vary
+  // A white square that is elsewhere in each frame, without motion; the reactive mask covers it.
+  bool spot = false;
 };
 
 class Pan {
@@ -36,7 +39,9 @@ class Pan {
 
   Frame At(int index, Vec2 jitter) const {
     Frame frame;
-    const auto [rw, rh] = options_.render;
+    const auto [rw, rh] = options_.render_sizes.empty()
+                              ? options_.render
+                              : options_.render_sizes[static_cast<std::size_t>(index)];
     const auto [ow, oh] = options_.output;
     const double sx = static_cast<double>(ow) / rw, sy = static_cast<double>(oh) / rh;
     const bool still = index == 0 && options_.still_first_motion;
@@ -49,16 +54,42 @@ class Pan {
     frame.reference_depth = Constant(ow, oh, {0.5f});
     frame.reference_motion =
         Constant(ow, oh, {static_cast<float>(speed_x), static_cast<float>(speed_y)});
+    frame.reactive = Image(rw, rh, 1);
+    for (int y = 0; y < rh; ++y) {
+      for (int x = 0; x < rw; ++x) {
+        const bool spot = IsSpot((x + 0.5 + jitter.x) * sx, (y + 0.5 + jitter.y) * sy, index);
+        frame.reactive.at(x, y) = spot ? 1.0f : 0.0f;
+      }
+    }
+    frame.hud = Hud(ow, oh);
     return frame;
   }
 
  private:
+  bool IsSpot(double x, double y, int index) const {
+    const double left = 12 + 17 * index % 40, top = 20 + 11 * index % 24;
+    return options_.spot && x >= left && x < left + 12 && y >= top && y < top + 12;
+  }
+
+  // White stripes of one pixel on a bar that is half transparent; premultiplied.
+  static Image Hud(int width, int height) {
+    Image hud(width, height, 4);
+    for (int y = height / 2; y < height / 2 + 8; ++y) {
+      for (int x = width / 4; x < width / 2; ++x) {
+        const bool stripe = x % 3 == 0;
+        for (int c = 0; c < 4; ++c) hud.at(x, y, c) = stripe ? 1.0f : c == 3 ? 0.5f : 0.0f;
+      }
+    }
+    return hud;
+  }
+
   Image Color(int width, int height, double sx, double sy, Vec2 jitter, int index) const {
     Image image(width, height, 3);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         for (int c = 0; c < 3; ++c) {
-          image.at(x, y, c) = At((x + 0.5 + jitter.x) * sx, (y + 0.5 + jitter.y) * sy, index, c);
+          const double u = (x + 0.5 + jitter.x) * sx, v = (y + 0.5 + jitter.y) * sy;
+          image.at(x, y, c) = IsSpot(u, v, index) ? 1.0f : At(u, v, index, c);
         }
       }
     }
@@ -83,6 +114,7 @@ inline Sequence WritePan(const std::filesystem::path& folder, const PanOptions& 
     sequence.jitter = JitterCycle(static_cast<double>(options.output.width) / options.render.width);
   }
   sequence.cuts = options.cuts;
+  sequence.render_sizes = options.render_sizes;
   const SequenceWriter writer(folder, sequence);
   const Pan pan(options);
   for (int i = 0; i < options.frames; ++i) {
