@@ -26,20 +26,20 @@ struct Integrator::Point {
   float facing = 1;  // cosine between normal and ray
 };
 
-Integrator::Integrator(const World& world, const Tracer& tracer, double time, int shot,
-                       double aspect, double footprint)
+Integrator::Integrator(const World& world, const Tracer& tracer, double time, double since_previous,
+                       int shot, double aspect, double footprint)
     : world_(world),
       time_(time),
       footprint_(static_cast<float>(footprint)),
       light_(world.light(time)),
       lens_(LensAt(world, time, shot, aspect)),
-      lens_before_(LensAt(world, time - kFrameSeconds, shot, aspect)),
+      lens_before_(LensAt(world, time - since_previous, shot, aspect)),
       moment_(tracer, TransformsAt(world, time)) {
   placed_.reserve(world.objects.size());
   for (const Object& object : world.objects) {
     Placed placed;
     placed.now = object.At(time);
-    placed.before = object.At(time - kFrameSeconds);
+    placed.before = object.At(time - since_previous);
     placed.from_now = placed.now.inverse();
     placed.scale = static_cast<float>(std::cbrt(std::abs(placed.now.linear().determinant())));
     placed_.push_back(placed);

@@ -26,11 +26,11 @@ struct Path {
 // threads.
 class Integrator {
  public:
-  // time: of the frame, seconds; shot: its take. The frame before is one kFrameSeconds earlier in
-  // the same take. aspect: width / height. footprint: angle over which textures are averaged,
+  // time: of the frame, seconds; since_previous: from the frame before, of the same take, to it;
+  // shot: the take. aspect: width / height. footprint: angle over which textures are averaged,
   // radians.
-  Integrator(const World& world, const Tracer& tracer, double time, int shot, double aspect,
-             double footprint);
+  Integrator(const World& world, const Tracer& tracer, double time, double since_previous, int shot,
+             double aspect, double footprint);
 
   Path Follow(const Vec2d& position) const;
   // Radiance along the path.

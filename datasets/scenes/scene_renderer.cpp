@@ -65,17 +65,24 @@ const RenderOptions& Checked(const RenderOptions& options) {
   return options;
 }
 
+// Displacement since the frame before, in pixels of a grid of this size, of what is seen at the
+// position.
+std::array<float, 2> Motion(const Integrator& integrator, const Path& path, const Vec2d& position,
+                            const Vec2d& size, bool cut) {
+  if (cut) return {};
+  const auto previous = integrator.Previous(path);
+  Vec2d m = previous ? (position - *previous).cwiseProduct(size).eval() : (2 * size).eval();
+  if (m.cwiseAbs().maxCoeff() < kNoMotion) m.setZero();
+  return {static_cast<float>(m.x()), static_cast<float>(m.y())};
+}
+
 // Depth and motion of one pixel, in the units of Frame.
 void Store(const Integrator& integrator, const Path& path, const Vec2d& position, bool cut, int x,
            int y, Image& depth, Image& motion) {
   depth.at(x, y) = integrator.Depth(path);
-  if (cut) return;
-  const Vec2d size(motion.width, motion.height);
-  const auto previous = integrator.Previous(path);
-  Vec2d m = previous ? (position - *previous).cwiseProduct(size).eval() : (2 * size).eval();
-  if (m.cwiseAbs().maxCoeff() < kNoMotion) m.setZero();
-  motion.at(x, y, 0) = static_cast<float>(m.x());
-  motion.at(x, y, 1) = static_cast<float>(m.y());
+  const auto m = Motion(integrator, path, position, Vec2d(motion.width, motion.height), cut);
+  motion.at(x, y, 0) = m[0];
+  motion.at(x, y, 1) = m[1];
 }
 
 scenes::Rgb Colour(const Integrator& integrator, const RenderOptions& options, const Path& path) {
@@ -138,6 +145,7 @@ bool RenderOptions::IsValid(std::string* why) const {
     return fail(range("height", height, kSmallest, kLargest));
   if (!(scale >= 1 && scale <= 8)) return fail(range("scale", scale, 1, 8));
   if (frames < 1 || frames > 100000) return fail(range("frames", frames, 1, 100000));
+  if (!(rate >= 1 && rate <= 1000)) return fail(range("rate", rate, 1, 1000));
   if (samples < 1 || samples > 65536) return fail(range("samples", samples, 1, 65536));
   if (threads < 0 || threads > 1024) return fail(range("threads", threads, 0, 1024));
   if (!(exposure > 0 && exposure <= 1000)) return fail(range("exposure", exposure, 0, 1000));
@@ -157,8 +165,28 @@ struct SceneRenderer::State {
   double Aspect() const { return static_cast<double>(options.width) / options.height; }
 
   scenes::Lens LensAt(int frame) const {
-    return {world.camera(frame * scenes::kFrameSeconds, Shot(frame)), Aspect(), world.near_plane,
-            world.far_plane};
+    return {world.camera(Time(frame), Shot(frame)), Aspect(), world.near_plane, world.far_plane};
+  }
+  double Time(int frame) const { return frame * FrameSeconds(); }
+  double FrameSeconds() const { return 1 / options.rate; }
+
+  // Throws Error when there is no such frame.
+  void CheckFrame(int index) const {
+    if (index >= 0 && index < options.frames) return;
+    throw Error("frame index is " + std::to_string(index) + ", expected 0 to " +
+                std::to_string(options.frames - 1));
+  }
+  // The output grid's pixel on both grids: for the inputs a mip bias of log2(1 / scale).
+  Integrator IntegratorAt(int frame) const {
+    return Integrator(world, tracer, Time(frame), FrameSeconds(), Shot(frame), Aspect(),
+                      LensAt(frame).PixelAngle(options.height));
+  }
+  // Calls row(y) for 0 <= y < rows on the threads of the options.
+  template <class Row>
+  void ForEachRow(int rows, const Row& row) const {
+    const int cores = oneapi::tbb::info::default_concurrency();
+    oneapi::tbb::task_arena arena(options.threads == 0 ? cores : std::min(options.threads, cores));
+    arena.execute([&] { oneapi::tbb::parallel_for(0, rows, row); });
   }
 
   RenderOptions options;
@@ -195,21 +223,14 @@ std::vector<int> SceneRenderer::Cuts() const {
 
 Frame SceneRenderer::Render(int index) const {
   const RenderOptions& options = state_->options;
-  if (index < 0 || index >= options.frames) {
-    throw Error("frame index is " + std::to_string(index) + ", expected 0 to " +
-                std::to_string(options.frames - 1));
-  }
+  state_->CheckFrame(index);
   Frame frame;
   frame.number = index;
   frame.cut = state_->Cut(index);
   const auto jitter = Jitter();
   frame.jitter = jitter[index % jitter.size()];
-  const scenes::Lens lens = state_->LensAt(index);
-  frame.camera = lens.Matrices();
-  // The output grid's pixel on both grids: for the inputs a mip bias of log2(1 / scale).
-  const double footprint = lens.PixelAngle(options.height);
-  const Integrator integrator(state_->world, state_->tracer, index * scenes::kFrameSeconds,
-                              state_->Shot(index), state_->Aspect(), footprint);
+  frame.camera = CameraAt(index);
+  const Integrator integrator = state_->IntegratorAt(index);
   if (options.reference) {
     frame.reference = Image(options.width, options.height, 3);
     frame.reference_depth = Image(options.width, options.height, 1);
@@ -220,16 +241,34 @@ Frame SceneRenderer::Render(int index) const {
     frame.depth = Image(render_width(), render_height(), 1);
     frame.motion = Image(render_width(), render_height(), 2);
   }
-  namespace tbb = oneapi::tbb;
-  const int cores = tbb::info::default_concurrency();
-  tbb::task_arena arena(options.threads == 0 ? cores : std::min(options.threads, cores));
-  arena.execute([&] {
-    tbb::parallel_for(0, frame.reference.height,
-                      [&](int y) { RenderRow(integrator, options, y, frame); });
-    tbb::parallel_for(0, frame.color.height,
-                      [&](int y) { RenderInputRow(integrator, options, y, frame); });
-  });
+  state_->ForEachRow(frame.reference.height,
+                     [&](int y) { RenderRow(integrator, options, y, frame); });
+  state_->ForEachRow(frame.color.height,
+                     [&](int y) { RenderInputRow(integrator, options, y, frame); });
   return frame;
+}
+
+std::vector<SceneSample> SceneRenderer::Trace(int index, std::span<const Vec2> positions) const {
+  const RenderOptions& options = state_->options;
+  state_->CheckFrame(index);
+  const Integrator integrator = state_->IntegratorAt(index);
+  const Vec2d size(options.width, options.height);
+  const bool cut = state_->Cut(index);
+  std::vector<SceneSample> samples(positions.size());
+  constexpr std::size_t kRun = 256;  // samples that one thread takes at once
+  const std::size_t runs = (positions.size() + kRun - 1) / kRun;
+  state_->ForEachRow(static_cast<int>(runs), [&](int run) {
+    const std::size_t begin = static_cast<std::size_t>(run) * kRun;
+    for (std::size_t i = begin; i < std::min(begin + kRun, positions.size()); ++i) {
+      const Vec2d at = Vec2d(positions[i].x, positions[i].y).cwiseQuotient(size);
+      const Path path = integrator.Follow(at);
+      const scenes::Rgb colour = Colour(integrator, options, path);
+      samples[i] = {{colour[0], colour[1], colour[2]},
+                    integrator.Depth(path),
+                    Motion(integrator, path, at, size, cut)};
+    }
+  });
+  return samples;
 }
 
 }  // namespace warplut

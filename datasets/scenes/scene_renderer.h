@@ -2,6 +2,7 @@
 // any size and upscale factor. Nothing is read from disk.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -26,7 +27,8 @@ struct RenderOptions {
   int width = 960;  // of the output grid
   int height = 540;
   double scale = 2;        // output / render, 1 to 8; the render grid is rounded to whole pixels
-  int frames = 12;         // at 30 per second; a scene with camera cuts spreads its takes over them
+  int frames = 12;         // a scene with camera cuts spreads its takes over them
+  double rate = 30;        // frames per second, 1 to 1000
   int samples = 16;        // per pixel of the reference
   std::uint64_t seed = 1;  // varies placement, textures and sample positions
   int threads = 0;         // at most; 0: one per core. The pixels do not depend on it
@@ -45,6 +47,13 @@ struct RenderOptions {
 // docs/SCENES.md.
 inline constexpr double kPixelFilterSigma = 0.60;
 
+// One traced sample, in the units of the streams of the output grid (SceneRenderer).
+struct SceneSample {
+  std::array<float, 3> color{};
+  float depth = 1;
+  std::array<float, 2> motion{};
+};
+
 // Renders the frames of one scene.
 //
 // reference   mean of `samples` samples that are distributed as the pixel filter, each tone-mapped
@@ -57,9 +66,9 @@ inline constexpr double kPixelFilterSigma = 0.60;
 //             Of the same sample as color on the render grid, of the pixel centre on the output
 //             grid.
 // motion      where depth is; exact to float rounding, also for the sky and for what a mirror shows
-//             (one bounce). Frame 0 has the motion since time -1/30 s, at which every scene is
-//             defined; 0 at a cut. What was behind the previous camera gets (2 width, 2 height): a
-//             previous position outside the image.
+//             (one bounce). Frame 0 has the motion since the time of a frame before it, at which
+//             every scene is defined; 0 at a cut. What was behind the previous camera gets
+//             (2 width, 2 height): a previous position outside the image.
 class SceneRenderer {
  public:
   // Throws Error when no scene has this name (the sentence lists those that exist) or the options
@@ -72,6 +81,10 @@ class SceneRenderer {
   // Frame `index`, 0 <= index < frames, else throws Error. Frames are independent: any order, any
   // thread.
   Frame Render(int index) const;
+
+  // Traces frame `index` at these positions of the output grid, in pixels, and nowhere else: sample
+  // i is that of positions[i], color one sample as on the render grid.
+  std::vector<SceneSample> Trace(int index, std::span<const Vec2> positions) const;
 
   const RenderOptions& options() const;
   int render_width() const;

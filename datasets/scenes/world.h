@@ -15,9 +15,6 @@
 
 namespace warplut::scenes {
 
-// Time between frames, seconds.
-inline constexpr double kFrameSeconds = 1.0 / 30;
-
 // One placed mesh. Its transform at time t is motion(t) * placement; without motion it stands
 // still.
 struct Object {

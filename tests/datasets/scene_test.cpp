@@ -130,6 +130,49 @@ TEST(SceneRenderer, ThreadsDoNotChangeTheBits) {
   }
 }
 
+// Samples at the positions of the render grid are its pixels, whichever of them are asked for, in
+// whatever order.
+TEST(SceneRenderer, TracesTheSamplesThatAreAskedFor) {
+  RenderOptions options = Small();
+  options.scale = 1;
+  options.reference = false;
+  const SceneRenderer renderer("gallery", options);
+  const Frame frame = renderer.Render(2);
+  std::vector<Vec2> positions;
+  for (int y = 1; y < options.height; y += 7) {
+    for (int x = 2; x < options.width; x += 5) {
+      positions.push_back({x + 0.5 + frame.jitter.x, y + 0.5 + frame.jitter.y});
+    }
+  }
+  const std::vector<SceneSample> samples = renderer.Trace(2, positions);
+  ASSERT_EQ(samples.size(), positions.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const int x = static_cast<int>(positions[i].x), y = static_cast<int>(positions[i].y);
+    for (int c = 0; c < 3; ++c) ASSERT_FLOAT_EQ(samples[i].color[c], frame.color.at(x, y, c));
+    ASSERT_EQ(samples[i].depth, frame.depth.at(x, y));
+    for (int c = 0; c < 2; ++c) ASSERT_FLOAT_EQ(samples[i].motion[c], frame.motion.at(x, y, c));
+  }
+  EXPECT_THROW(renderer.Trace(options.frames, positions), Error);
+}
+
+// Frame 8 at 240 frames per second is frame 1 at 30, with about an eighth of its motion.
+TEST(SceneRenderer, RatesShareTheirMoments) {
+  RenderOptions options = Small();
+  options.scale = 1;
+  const Frame slow = SceneRenderer("street", options).Render(1);
+  options.rate = 240;
+  const Frame fast = SceneRenderer("street", options).Render(8);
+  EXPECT_EQ(fast.reference.data, slow.reference.data);
+  EXPECT_EQ(fast.reference_depth.data, slow.reference_depth.data);
+  double slow_length = 0, fast_length = 0;
+  for (std::size_t i = 0; i < slow.reference_motion.data.size(); ++i) {
+    slow_length += std::abs(slow.reference_motion.data[i]);
+    fast_length += std::abs(fast.reference_motion.data[i]);
+  }
+  EXPECT_GT(slow_length, 0);
+  EXPECT_NEAR(8 * fast_length / slow_length, 1, 0.05);
+}
+
 TEST(SceneRenderer, UnknownSceneNamesThoseThatExist) {
   const std::string error = ErrorOf("nowhere", Small());
   EXPECT_NE(error.find("nowhere"), std::string::npos);
@@ -212,6 +255,7 @@ TEST(RenderOptions, EachFieldIsChecked) {
   EXPECT_NE(with([](auto& o) { o.scale = 0.5; }).find("scale"), std::string::npos);
   EXPECT_NE(with([](auto& o) { o.scale = std::nan(""); }).find("scale"), std::string::npos);
   EXPECT_NE(with([](auto& o) { o.frames = 0; }).find("frames"), std::string::npos);
+  EXPECT_NE(with([](auto& o) { o.rate = 0.5; }).find("rate"), std::string::npos);
   EXPECT_NE(with([](auto& o) { o.samples = 0; }).find("samples"), std::string::npos);
   EXPECT_NE(with([](auto& o) { o.threads = -1; }).find("threads"), std::string::npos);
   EXPECT_NE(with([](auto& o) { o.reference = o.inputs = false; }).find("reference"),
