@@ -40,6 +40,12 @@ function(warplut_runtime_library name)
     sgsr2.cpp
     taau.cpp)
   list(TRANSFORM peers PREPEND ${WARPLUT_ROOT}/runtime/peers/)
+  set(dense
+    compose.cpp
+    compose_reference.cpp
+    dense_order.cpp
+    dense_rendering.cpp)
+  list(TRANSFORM dense PREPEND ${WARPLUT_ROOT}/runtime/dense/)
   set(shared
     motion/camera_motion.cpp
     core/executor.cpp
@@ -58,7 +64,7 @@ function(warplut_runtime_library name)
     warp/warp_reference.cpp)
   list(TRANSFORM shared PREPEND ${WARPLUT_ROOT}/runtime/)
 
-  warplut_library(${name} ${shared} ${generation} ${sr} ${peers})
+  warplut_library(${name} ${shared} ${generation} ${sr} ${peers} ${dense})
   target_link_libraries(${name} PUBLIC warplut_contract $<BUILD_INTERFACE:warplut_runtime_headers> Threads::Threads
                         PRIVATE hwy::hwy)
   if(arg_PIPELINE)
@@ -73,7 +79,7 @@ function(warplut_runtime_library name)
     target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
     # The plain and the fast version of a pass give the same bits, and so do compilers: none may fuse
     # multiply and add where the source does not.
-    set_source_files_properties(${generation} ${sr} ${peers} TARGET_DIRECTORY ${name}
+    set_source_files_properties(${generation} ${sr} ${peers} ${dense} TARGET_DIRECTORY ${name}
                                 PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
   endif()
 endfunction()
