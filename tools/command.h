@@ -42,14 +42,16 @@ void AddProfileCommand(Command app, CommandRun* run);
 void AddReportCommand(Command app, CommandRun* run);
 void AddRunCommand(Command app, CommandRun* run);
 void AddStabilityCommand(Command app, CommandRun* run);
+void AddDenseCommand(Command app, CommandRun* run);
 void AddCompareCommand(Command app, CommandRun* run);
 void AddBenchCommand(Command app, CommandRun* run);
 
 // The subcommands in the order of the data flow.
 inline constexpr CommandAdder kCommands[] = {
-    AddDatasetCommand, AddTrainCommand,     AddBakeCommand,     AddEvalCommand, AddCrossCommand,
-    AddJudgeCommand,   AddCalibrateCommand, AddProfileCommand,  AddRunCommand,  AddCompareCommand,
-    AddBenchCommand,   AddReportCommand,    AddStabilityCommand};
+    AddDatasetCommand, AddTrainCommand,    AddBakeCommand,      AddEvalCommand,
+    AddCrossCommand,   AddJudgeCommand,    AddCalibrateCommand, AddProfileCommand,
+    AddRunCommand,     AddCompareCommand,  AddBenchCommand,     AddDenseCommand,
+    AddReportCommand,  AddStabilityCommand};
 
 // Adds and returns the option `--json` that every command has.
 CommandOption AddJsonOption(Command command, bool* json);
