@@ -12,6 +12,7 @@ function(warplut_runtime_library name)
   set(generation
     blend_reference.cpp
     color_repair.cpp
+    drawn_anew.cpp
     frame_check.cpp
     frame_coefficients.cpp
     frame_generation.cpp
@@ -33,6 +34,8 @@ function(warplut_runtime_library name)
   set(peers
     bidirectional.cpp
     bidirectional_reference.cpp
+    mesh_projection.cpp
+    mesh_projection_reference.cpp
     mesh_warp.cpp
     mesh_warp_reference.cpp
     fsr2.cpp
@@ -55,6 +58,7 @@ function(warplut_runtime_library name)
     configuration/method.cpp
     motion/motion_filter.cpp
     motion/motion_tiles.cpp
+    motion/point_carrier.cpp
     configuration/parameters.cpp
     configuration/pipeline.cpp
     warp/prefilter.cpp

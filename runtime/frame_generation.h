@@ -17,7 +17,8 @@
 //           (extrapolation).
 //
 // Any executor gives the same bits. The generating functions allocate nothing. Bytes per pixel:
-//   splatting 16, kLinearHdr 16, motion filter 16 and its own, filter with a prefilter 32;
+//   splatting 16, kLinearHdr 16, motion filter 16 and its own, filter with a prefilter 32,
+//   kMeshProjection 8;
 //   for each thread 48 for each pixel of 16 rows.
 // Subnormals are flushed to zero, in colour, depth and motion (runtime/float_environment.h); a
 // source that is shown as it is keeps its bits.
@@ -39,6 +40,7 @@
 #include "runtime/parameters.h"
 #include "runtime/peers.h"
 #include "runtime/pipeline.h"
+#include "runtime/reprojection.h"
 #include "runtime/warp.h"
 
 namespace WARPLUT_PUBLIC warplut {
@@ -63,6 +65,9 @@ struct DisplayedFrame {
   // premultiplied alpha (runtime/hud.h). The colour is without it. It is neither warped nor blended
   // with that of the other frame.
   ImageView hud = {};
+  // Of frame 1, read by kMeshProjection alone: null, or the cameras and the objects that move
+  // (runtime/reprojection.h).
+  const Reprojection* reprojection = nullptr;
 };
 
 // Defaults are those of kPipeline (runtime/pipeline.h) for choices that the build fixes.

@@ -20,6 +20,11 @@ enum class Generation : std::uint8_t { kNone, kInterpolation, kExtrapolation };
 // The maker of generated frames; kRepeat and kAverage are baselines without motion.
 enum class Generator : std::uint8_t { kWarped, kRepeat, kAverage };
 
+// The camera of a generated frame, where the sequence has cameras (docs/METHODS.md): none is known,
+// its own, as where each shown frame is a frame of the game's logic, or one between those of the
+// rendered frames around it, as where only these are.
+enum class CameraSchedule : std::uint8_t { kNone, kOfFrame, kBetween };
+
 struct MethodInfo {
   const char* name;  // as on the command line
   const char* meaning;
@@ -29,8 +34,9 @@ struct MethodInfo {
   // Motion and depth are not those of the renderer: who runs the method finds motion in the colours
   // of the frames (train/replay/optical_flow.h), and depth is 0.
   bool optical_flow;
-  bool peer;   // another system: its options name a peer (runtime/peers.h)
-  bool paper;  // runs with kPaperParameters, whatever was calibrated
+  bool peer;               // another system: its options name a peer (runtime/peers.h)
+  CameraSchedule cameras;  // kMeshProjection alone
+  bool paper;              // runs with kPaperParameters, whatever was calibrated
   // Sets the choices of the method; leaves sizes, filter, formats and parameters alone. Null where
   // it does not apply.
   void (*configure_super_resolution)(SuperResolutionOptions& options);

@@ -25,6 +25,10 @@ struct Parameters {
   float fsr2_box = 20.0f;
   float fsr2_lock_ratio = 1.05f;
   float bidir_tolerance = 0.5f;
+  // The slides of mesh projection have tiles of 8 to 16 pixels, and no thresholds: these are ours.
+  float mesh_tile = 8.0f;
+  float mesh_tensile = 2.0f;
+  float mesh_shear = 0.25f;
 
   bool operator==(const Parameters&) const = default;
 
@@ -41,7 +45,7 @@ struct ParameterInfo {
   const char* meaning;
 };
 
-inline constexpr std::array<ParameterInfo, 14> kParameters = {{
+inline constexpr std::array<ParameterInfo, 17> kParameters = {{
     {"sr_depth_threshold", &Parameters::sr_depth_threshold, 1e-4f, 4.0f, true,
      "history is rejected where depth differs by more, super resolution"},
     {"generation_depth_threshold", &Parameters::generation_depth_threshold, 1e-4f, 4.0f, true,
@@ -70,6 +74,12 @@ inline constexpr std::array<ParameterInfo, 14> kParameters = {{
      "ratio of lumas up to which neighbours are alike, for the locks of fsr2"},
     {"bidir_tolerance", &Parameters::bidir_tolerance, 0.0625f, 8.0f, true,
      "pixels by which a source may miss the generated pixel, bidir"},
+    {"mesh_tile", &Parameters::mesh_tile, 4.0f, 32.0f, true,
+     "pixels of a side of a tile, rounded, mesh"},
+    {"mesh_tensile", &Parameters::mesh_tensile, 1.0f, 64.0f, true,
+     "pixels between foreground and background from which a vertex shows the latter, mesh"},
+    {"mesh_shear", &Parameters::mesh_shear, 0.03125f, 64.0f, true,
+     "pixels by which a source is off from which it is corrected, mesh"},
 }};
 
 // The index in kParameters of that name, or -1.

@@ -36,4 +36,9 @@ extern const GenerationPeer kMeshWarp;
 // Scene Reprojection, SIGGRAPH Asia 2011.
 extern const GenerationPeer kBidirectional;
 
+// A mesh of one vertex for each tile, moved by the cameras and drawn: Qi, 144FPS Rendering on
+// Mobile: Frame Prediction in Arena Breakout, SIGGRAPH 2024. DisplayedFrame::reprojection has the
+// cameras; without them the vertices move by their motion.
+extern const GenerationPeer kMeshProjection;
+
 }  // namespace warplut

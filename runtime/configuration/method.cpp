@@ -31,6 +31,9 @@ constexpr int kFsr2Weight = IndexOf("fsr2_weight");
 constexpr int kFsr2Box = IndexOf("fsr2_box");
 constexpr int kFsr2LockRatio = IndexOf("fsr2_lock_ratio");
 constexpr int kBidirTolerance = IndexOf("bidir_tolerance");
+constexpr int kMeshTile = IndexOf("mesh_tile");
+constexpr int kMeshTensile = IndexOf("mesh_tensile");
+constexpr int kMeshShear = IndexOf("mesh_shear");
 
 // Takes what a method decides from the defaults; the rest belongs to the caller.
 template <class List, class Options>
@@ -117,6 +120,13 @@ constexpr void ConfigureMeshWarp(FrameGenerationOptions& options) {
   options.motion_model = MotionModel::kLinear;
   options.refine = false;
   options.fill = DisocclusionFill::kBackground;
+}
+
+// The same passes, by one vertex for each tile.
+constexpr void ConfigureMeshProjection(FrameGenerationOptions& options) {
+  ConfigureMeshWarp(options);
+  options.peer = &kMeshProjection;
+  options.fill = DisocclusionFill::kNone;
 }
 
 // Found in the source frames, without splatting. kQuadratic: the motion of both frames is read.
@@ -207,6 +217,9 @@ constexpr ParameterList Reads(SrConfigure configure_sr, GenerationConfigure conf
     configure_generation(options);
     if (options.depth != DepthMeasure::kNone) list.Add(kGenerationDepth);
     if (configure_generation == ConfigureBidirectional) list.Add(kBidirTolerance);
+    if (configure_generation == ConfigureMeshProjection) {
+      for (const int parameter : {kMeshTile, kMeshTensile, kMeshShear}) list.Add(parameter);
+    }
     if (generation == Generation::kInterpolation && options.brightness_gate) list.Add(kBrightness);
   }
   return list;
@@ -215,7 +228,8 @@ constexpr ParameterList Reads(SrConfigure configure_sr, GenerationConfigure conf
 constexpr bool NamesPeer(SrConfigure configure_sr, GenerationConfigure configure_generation) {
   return !ReadByPeer(configure_sr).empty() || configure_generation == ConfigureMeshWarp ||
          configure_generation == ConfigureRubberSheet ||
-         configure_generation == ConfigureBidirectional;
+         configure_generation == ConfigureBidirectional ||
+         configure_generation == ConfigureMeshProjection;
 }
 
 template <SrConfigure kSr, GenerationConfigure kFrames, Generation kGeneration>
@@ -223,7 +237,8 @@ constexpr ParameterList kReads = Reads(kSr, kFrames, kGeneration);
 
 template <SrConfigure kSr, GenerationConfigure kFrames, Generation kGeneration>
 constexpr MethodInfo Method(const char* name, const char* meaning, bool paper = false,
-                            Generator generator = Generator::kWarped) {
+                            Generator generator = Generator::kWarped,
+                            CameraSchedule cameras = CameraSchedule::kNone) {
   constexpr const ParameterList& kList = kReads<kSr, kFrames, kGeneration>;
   return {.name = name,
           .meaning = meaning,
@@ -232,6 +247,7 @@ constexpr MethodInfo Method(const char* name, const char* meaning, bool paper = 
           .generator = generator,
           .optical_flow = kFrames == ConfigureFlow,
           .peer = NamesPeer(kSr, kFrames),
+          .cameras = cameras,
           .paper = paper,
           .configure_super_resolution = kSr,
           .configure_generation = kFrames,
@@ -277,6 +293,14 @@ constexpr MethodInfo kMethods[] = {
         "3dwarp-e", "3dwarp, after the later frame; background fills what it uncovers"),
     Method<nullptr, ConfigureRubberSheet, kExtrapolation>(
         "3dwarp-e-sheet", "3dwarp-e, the mesh stretched over what it uncovers"),
+    Method<nullptr, ConfigureMeshProjection, kExtrapolation>(
+        "mesh-e", "a mesh of one vertex for each tile, moved by motion"),
+    Method<nullptr, ConfigureMeshProjection, kExtrapolation>(
+        "mesh", "mesh-e by the camera of the generated frame; objects that move are drawn anew",
+        false, Generator::kWarped, CameraSchedule::kOfFrame),
+    Method<nullptr, ConfigureMeshProjection, kExtrapolation>(
+        "mesh-between", "mesh by a camera between those of the rendered frames", false,
+        Generator::kWarped, CameraSchedule::kBetween),
     Method<nullptr, ConfigureBidirectional, kInterpolation>(
         "bidir", "sources found by iteration in both frames"),
     Method<nullptr, ConfigureFlow, kInterpolation>("flow", "i by the optical flow of the colours"),

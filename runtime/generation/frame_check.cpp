@@ -5,7 +5,9 @@
 
 #include "runtime/configuration/pipeline_check.h"
 #include "runtime/core/image_check.h"
+#include "runtime/motion/point_carrier.h"
 #include "runtime/motion_filter.h"
+#include "runtime/peers/generation_peer.h"
 
 namespace warplut {
 namespace {
@@ -28,6 +30,27 @@ bool CheckFormats(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
          CheckChoice("The format of frame 1", format, frame1.color.format, why) &&
          CheckChoice("The format of the output", kPipeline.generation.output_format, out.format,
                      why);
+}
+
+// Whether the peer takes what is known of the generated frame.
+bool CheckReprojection(const FrameGenerationOptions& o, const Reprojection* known,
+                       std::string* why) {
+  if (known == nullptr || !kPipeline.peers || o.peer == nullptr ||
+      o.peer->buffer_bytes == nullptr) {
+    return true;
+  }
+  if (!PointCarrier::Of(*known, o.width, o.height)) {
+    if (!(known->depth_unit > 0)) {
+      return Refuse({"depth_unit is ", std::to_string(known->depth_unit), "; expected above 0."},
+                    why);
+    }
+    return known->source.IsValid(why) && known->generated.IsValid(why) &&
+           Refuse({"The cameras lead nowhere; expected finite matrices of a usual scale."}, why);
+  }
+  return (known->moving.data == nullptr ||
+          CheckDepth("The mask of what moves", known->moving, o.width, o.height, why)) &&
+         (known->drawn.data == nullptr ||
+          CheckColor("What is drawn anew", known->drawn, o.width, o.height, why));
 }
 
 }  // namespace
@@ -74,7 +97,7 @@ bool AreGenerable(const FrameGenerationOptions& o, const DisplayedFrame& frame0,
          CheckDepth("The depth of frame 1", frame1.depth, o.width, o.height, why) &&
          CheckMotion("The motion of frame 1", frame1.motion, o.width, o.height, why) &&
          CheckColor("The output", out, o.width, o.height, why) &&
-         CheckFormats(frame0, frame1, out, why);
+         CheckFormats(frame0, frame1, out, why) && CheckReprojection(o, frame1.reprojection, why);
 }
 
 }  // namespace warplut

@@ -1,6 +1,7 @@
 #include "runtime/frame_generation.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "runtime/float_environment.h"
 #include "runtime/generation/band_buffers.h"
 #include "runtime/generation/color_repair.h"
+#include "runtime/generation/drawn_anew.h"
 #include "runtime/generation/frame_check.h"
 #include "runtime/generation/frame_coefficients.h"
 #include "runtime/generation/hdr_rows.h"
@@ -41,6 +43,12 @@ RowKernels KernelsOf(const FrameGenerationOptions& options) {
   return own;
 }
 
+// Whether the options name a peer that takes a reprojection.
+bool Projects(const FrameGenerationOptions& options) {
+  if constexpr (!kPipeline.peers) return false;
+  return options.peer != nullptr && options.peer->buffer_bytes != nullptr;
+}
+
 }  // namespace
 
 struct WARPLUT_HIDDEN FrameGeneration::State {
@@ -59,6 +67,8 @@ struct WARPLUT_HIDDEN FrameGeneration::State {
   void Show(const ImageView& color, const MutableImageView& out);
   void Draw(const ImageView& hud, const MutableImageView& out);
 
+  void FindStillSurface(GenerationJob& job, const ImageView& moving);
+  void DrawOver(const ImageView& drawn, const MutableImageView& out);
   void FilterMotion(GenerationJob& job);
   void Splat(const GenerationJob& job);
   void WarpDisplay(const GenerationJob& job, const Source& frame0, const Source& frame1,
@@ -92,6 +102,8 @@ struct WARPLUT_HIDDEN FrameGeneration::State {
 
   ImageBuffer codes;               // kLinearHdr: the frame that is being warped
   FrameCoefficients coefficients;  // with a prefilter
+  ImageBuffer still_depth;         // with a peer that projects
+  RowBuffer still_columns;         // likewise
   std::unique_ptr<MotionFilter> filter;
   MotionBuffer filtered0, filtered1;  // with a motion filter
   std::vector<BandBuffers> bands;     // one for each worker
@@ -101,11 +113,16 @@ struct WARPLUT_HIDDEN FrameGeneration::State {
 inline FrameGeneration::State::State(const FrameGenerationOptions& frame_options, Executor& threads)
     : options(frame_options), executor(threads), kernels(KernelsOf(options)) {
   const int width = options.width, height = options.height;
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (Splats(options)) {
-    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    forward = RowBuffer(pixels * 2 * sizeof(float), 1);
+    const std::size_t least = Projects(options) ? options.peer->buffer_bytes(width, height) : 0;
+    forward = RowBuffer(std::max(pixels * 2 * sizeof(float), least), 1);
     keys = RowBuffer(pixels * sizeof(SplatKey), 1);
     reach.resize(static_cast<std::size_t>(height));
+  }
+  if (Projects(options)) {
+    still_depth = ImageBuffer(width, height, PixelFormat::kR32F);
+    still_columns = RowBuffer(pixels * sizeof(std::int32_t), 1);
   }
   if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
     codes = ImageBuffer(width, height, PixelFormat::kRgba32F);
@@ -121,6 +138,26 @@ inline FrameGeneration::State::State(const FrameGenerationOptions& frame_options
     filtered1 = MotionBuffer(width, height);
   }
   for (int i = 0; i < executor.Threads(); ++i) bands.emplace_back(width);
+}
+
+// Frame 1 of the job becomes what stands still of it.
+inline void FrameGeneration::State::FindStillSurface(GenerationJob& job, const ImageView& moving) {
+  auto* columns = reinterpret_cast<std::int32_t*>(still_columns.data());
+  ForBands(kBandRows, [&](const Band& band, BandBuffers&) {
+    for (int y = band.first; y < band.last; ++y) {
+      FindStillRow(job.depth1, moving, y, still_depth.view(),
+                   columns + std::ptrdiff_t{y} * options.width);
+    }
+  });
+  job.depth1 = std::as_const(still_depth).view();
+  job.still_column = columns;
+}
+
+inline void FrameGeneration::State::DrawOver(const ImageView& drawn, const MutableImageView& out) {
+  ForBands(kBandRows, [&](const Band& band, BandBuffers&) {
+    const bool linear = EncodingOf(options) == ColorEncoding::kLinearHdr;
+    for (int y = band.first; y < band.last; ++y) DrawOverRow(drawn, linear, y, out);
+  });
 }
 
 inline void FrameGeneration::State::FilterMotion(GenerationJob& job) {
@@ -269,16 +306,22 @@ inline void FrameGeneration::State::Generate(const DisplayedFrame& frame0,
   const bool motion0_counts = ModelOf(options) != MotionModel::kLinear && !frame0.cut;
   GenerationJob job{options,      interpolates, alpha,         motion0_counts,
                     frame0.depth, frame1.depth, frame0.motion, frame1.motion};
+  const Reprojection* known = Projects(options) ? frame1.reprojection : nullptr;
+  std::optional<PointCarrier> carrier;
+  if (known != nullptr) carrier = PointCarrier::Of(*known, options.width, options.height);
+  if (carrier) job.carrier = &*carrier;
   for (BandBuffers& worker : bands) worker.tiles = {};
   tiles =
       std::int64_t{TileCount(options.width, kTileWidth)} * TileCount(options.height, kTileHeight);
   FilterMotion(job);
+  if (known != nullptr && known->moving.data != nullptr) FindStillSurface(job, known->moving);
   if (Splats(options)) Splat(job);
   if (EncodingOf(options) == ColorEncoding::kLinearHdr) {
     WarpHdr(job, frame0.color, frame1.color, out);
   } else {
     WarpDisplay(job, {frame0.color, frame0.id}, {frame1.color, frame1.id}, out);
   }
+  if (known != nullptr && known->drawn.data != nullptr) DrawOver(known->drawn, out);
 }
 
 // `color` as it is, in the format of `out`.
@@ -353,10 +396,10 @@ FrameTiles FrameGeneration::Tiles() const {
 }
 
 std::size_t FrameGeneration::MemoryBytes() const {
-  std::size_t bytes = state_->forward.size() + state_->keys.size() +
-                      state_->reach.size() * sizeof(RowRange) + state_->codes.bytes() +
-                      state_->filtered0.bytes() + state_->filtered1.bytes() +
-                      state_->coefficients.bytes();
+  std::size_t bytes =
+      state_->forward.size() + state_->keys.size() + state_->reach.size() * sizeof(RowRange) +
+      state_->codes.bytes() + state_->filtered0.bytes() + state_->filtered1.bytes() +
+      state_->coefficients.bytes() + state_->still_depth.bytes() + state_->still_columns.size();
   if (state_->filter != nullptr) bytes += state_->filter->MemoryBytes();
   for (const BandBuffers& band : state_->bands) bytes += band.bytes();
   return bytes;

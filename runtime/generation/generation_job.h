@@ -12,6 +12,7 @@
 #include "runtime/frame_generation.h"
 #include "runtime/generation/splat_key.h"
 #include "runtime/image_buffer.h"
+#include "runtime/motion/point_carrier.h"
 
 namespace warplut::generation {
 
@@ -39,6 +40,9 @@ struct GenerationJob {
   bool motion0_counts;  // frame 0 is no cut and its motion is read
   ImageView depth0, depth1;
   MotionView motion0, motion1;
+  // Of a reprojection: null without cameras, or where all stands still (StillSurface::column).
+  const PointCarrier* carrier = nullptr;
+  const std::int32_t* still_column = nullptr;
 
   // The two as the build contains them.
   bool Interpolates() const {

@@ -1,6 +1,8 @@
 // A peer of frame generation: the passes that it has of its own.
 #pragma once
 
+#include <cstddef>
+
 #include "runtime/generation/row_kernels.h"
 #include "runtime/peers.h"
 
@@ -11,6 +13,9 @@ struct GenerationPeer {
   // the same on vectors.
   generation::RowKernels (*reference)(const generation::RowKernels& own);
   generation::RowKernels (*fast)(const generation::RowKernels& own);
+  // Null, or the peer takes DisplayedFrame::reprojection: the least bytes of the buffer that others
+  // have for displacements.
+  std::size_t (*buffer_bytes)(int width, int height) = nullptr;
 };
 
 }  // namespace warplut

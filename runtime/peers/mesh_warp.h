@@ -14,6 +14,7 @@
 
 #include "runtime/generation/target_motion.h"
 #include "runtime/peers/linear_motion.h"
+#include "runtime/peers/triangle.h"
 
 namespace warplut::peers {
 
@@ -25,37 +26,6 @@ inline constexpr float kLongestSheet = 64.0f;
 // A splat key whose highest bit says that the triangle is stretched, then its depth, then
 // 2 * (index of the quad's upper left pixel) + (1 for the lower right triangle).
 inline constexpr SplatKey kStretched = SplatKey{1} << 63;
-
-// Pixels whose float index of a displacement fits 31 bits: what vectors gather.
-inline constexpr std::int64_t kMostGathered = std::int64_t{1} << 29;
-
-// Corners of a triangle, around q, and what is interpolated between them.
-struct Triangle {
-  Vector a, b, c;
-
-  // Weights of the corners, times twice the area; false where q is outside.
-  struct Weights {
-    float a, b, c, area;
-    bool inside;
-  };
-  Weights At() const {
-    const float wa = b.x * c.y - b.y * c.x;
-    const float wb = c.x * a.y - c.y * a.x;
-    const float wc = a.x * b.y - a.y * b.x;
-    const float area = wa + wb + wc;
-    const bool front = wa >= 0 && wb >= 0 && wc >= 0 && area > 0;
-    const bool back = wa <= 0 && wb <= 0 && wc <= 0 && area < 0;
-    return {wa, wb, wc, area, front || back};
-  }
-};
-
-// The pixels at the corners of a triangle, counted from the quad's upper left one.
-struct TriangleCorners {
-  PixelIndex a, b, c;
-};
-constexpr TriangleCorners CornersOf(bool lower) {
-  return lower ? TriangleCorners{{1, 1}, {0, 1}, {1, 0}} : TriangleCorners{{0, 0}, {1, 0}, {0, 1}};
-}
 
 // The linear displacements of row y of frame 1 into `forward`, NaN where there is no motion;
 // returns the rows that the quads between rows y and y + 1 reach.

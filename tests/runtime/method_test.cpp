@@ -136,7 +136,7 @@ TEST(Method, ForgetsTheChoicesOfAnother) {
 }
 
 TEST(Method, OnlyPeersNameAPeer) {
-  for (const char* peer : {"taau", "sgsr2", "fsr2", "3dwarp", "3dwarp-e", "bidir"}) {
+  for (const char* peer : {"taau", "sgsr2", "fsr2", "3dwarp", "3dwarp-e", "bidir", "mesh"}) {
     EXPECT_TRUE(FindMethod(peer)->peer) << peer;
   }
   for (const char* own : {"sr", "i", "e", "isr-paper", "bicubic", "flow", "average"}) {

@@ -119,6 +119,21 @@ std::vector<std::string> JudgingNotes(const Sequence& sequence,
         "on the render grid by those that they did not see.",
         sequence.name, by_rendered));
   }
+  for (const MethodInfo* method : methods) {
+    if (method->cameras == CameraSchedule::kNone) continue;
+    if (sequence.camera.empty()) {
+      notes.push_back(
+          fmt::format("'{}' has no cameras: {} moves by motion, as mesh-e, and draws nothing anew.",
+                      sequence.name, method->name));
+      continue;
+    }
+    notes.push_back(fmt::format(
+        "{} shows {}; what moves beside the camera has the pixels of the true frame.", method->name,
+        method->cameras == CameraSchedule::kOfFrame
+            ? "each frame by the camera of its own time and adds no latency"
+            : "generated frames by cameras between the rendered ones: that halfway is half the "
+              "time between these old"));
+  }
   if (sequence.color_space == ColorSpace::kLinear) {
     notes.push_back(fmt::format(
         "The linear HDR of '{}' is judged as displayed, tone-mapped (compare --linear likewise).",

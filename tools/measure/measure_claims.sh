@@ -12,6 +12,7 @@ set -eu
 . "$(dirname "$0")/measuring.sh"
 lut=luts/baked/warplut_iir_x2.json
 generated=i,e,i-paper,e-paper,i-paper-uniform,e-paper-uniform,3dwarp,3dwarp-e,3dwarp-e-sheet,bidir,flow
+generated=$generated,mesh-e,mesh,mesh-between
 resolved=sr,sr-paper,taau,sgsr2,fsr2
 joint=isr-paper,esr-paper
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "datasets/error.h"
@@ -66,6 +67,18 @@ std::int64_t LimitColor(Image& linear) {
     ++limited;
   }
   return limited;
+}
+
+// Of depth 1, in units of the cameras: depth is divided by the far plane, or by the near one where
+// that is infinitely far.
+double DepthUnit(const DepthStream& depth) {
+  return std::isfinite(depth.far) ? depth.far : depth.near;
+}
+
+std::optional<CameraMatrices> CameraOf(const Frame& frame) {
+  if (!frame.camera) return std::nullopt;
+  const CameraMatrices camera{frame.camera->view, frame.camera->projection};
+  return camera.IsValid() ? std::optional(camera) : std::nullopt;
 }
 
 bool IsQuantised(MotionView motion) {
@@ -164,6 +177,11 @@ DisplayedFrame ClipFrame::Displayed() const {
           .cut = cut};
 }
 
+bool HasCameras(const Clip& clip) {
+  return std::all_of(clip.frames.begin(), clip.frames.end(),
+                     [](const ClipFrame& frame) { return frame.camera.has_value(); });
+}
+
 bool HasQuantisedMotion(const Clip& clip) {
   return AnyOf(clip.frames, [](const ClipFrame& frame) {
     const MotionView motion = frame.motion.view();
@@ -213,6 +231,7 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
     ClipFrame& out = clip.frames[static_cast<std::size_t>(index - first)];
     out.number = frame.number;
     out.jitter = frame.jitter;
+    out.camera = CameraOf(frame);
     if (clip.encoding == ColorEncoding::kLinearHdr) {
       limited_color += LimitColor(frame.color);
       limited_reference += LimitColor(frame.reference);
@@ -226,6 +245,8 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
     }
     frame.color = frame.reference = frame.reactive = frame.hud = Image();
   });
+  if (sequence.depth) clip.depth_unit = DepthUnit(*sequence.depth);
+  if (sequence.reference_depth) clip.reference_depth_unit = DepthUnit(*sequence.reference_depth);
   clip.limited_color = limited_color;
   clip.limited_reference = limited_reference;
 

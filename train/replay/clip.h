@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "datasets/sequence.h"
 #include "runtime/frame_generation.h"
 #include "runtime/image_buffer.h"
+#include "runtime/reprojection.h"
 #include "runtime/super_resolution.h"
 
 namespace warplut {
@@ -17,6 +19,7 @@ struct ClipFrame {
   int number = 0;
   bool cut = false;  // the first frame of a sequence too: no frame is before it
   Vec2 jitter;
+  std::optional<CameraMatrices> camera;  // where the sequence has one that is valid
   ImageBuffer color, depth;
   MotionBuffer motion;
   ImageBuffer reference, reference_depth;
@@ -33,6 +36,8 @@ struct Clip {
   GridSize render, output;
   std::vector<GridSize> render_sizes;  // of each frame, where they vary; else empty
   ColorEncoding encoding = ColorEncoding::kDisplay;
+  // Of depth 1, in units of the cameras' matrices: of `depth` and of `reference_depth`.
+  double depth_unit = 1, reference_depth_unit = 1;
   bool quantised_motion = false;  // HasQuantisedMotion, if it was asked for
   // Channels of linear colour that were above kLargestHdr or infinite, of `color` and of
   // `reference`.
@@ -57,6 +62,9 @@ enum class MotionFiltering { kOff, kQuantised, kOn };
 // counted. Errors are those of LoadFrame.
 Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int every = 1,
               MotionFiltering filtering = MotionFiltering::kOff);
+
+// Whether every frame has a camera.
+bool HasCameras(const Clip& clip);
 
 // Whether the motion of some frame is quantised (train/replay/motion_step.h): that of the render
 // grid, or of the output grid where that is not loaded.

@@ -12,6 +12,7 @@
 #include "runtime/core/pixel.h"
 #include "train/replay/image_views.h"
 #include "train/replay/optical_flow.h"
+#include "train/replay/reprojection_source.h"
 
 namespace warplut {
 namespace {
@@ -137,6 +138,9 @@ class ModeRun {
     }
     generated_ = ImageBuffer(grid.width, grid.height, format);
     if (!WarpsFrames(method_)) return;
+    if (method_.cameras != CameraSchedule::kNone && HasCameras(clip_)) {
+      known_.emplace(clip_, method_.cameras, options_.every, TakesReferences(clip_));
+    }
     generation_ = device_.MakeFrameGeneration(EffectiveGeneration(clip_, options_), format);
   }
 
@@ -185,10 +189,12 @@ class ModeRun {
     DisplayedFrame frame0 = before.frame, frame1 = now.frame;
     double seconds = FindFlow(frame0, frame1);
     for (const float alpha : alphas_) {
+      const double time = TimeOf(begin + static_cast<double>(alpha) * options_.every);
+      if (known_) frame1.reprojection = &known_->At(begin, time);
       const Stopwatch watch;
       const ImageView image = GenerateAt(frame0, frame1, alpha);
       seconds += watch.Seconds();
-      Show({.time = begin + static_cast<double>(alpha) * options_.every,
+      Show({.time = time,
             .generated = true,
             .image = image,
             .seconds = seconds,
@@ -242,11 +248,16 @@ class ModeRun {
     });
   }
 
+  // A time that is nearly whole is.
+  static double TimeOf(double time) {
+    const double whole = std::round(time);
+    return std::abs(time - whole) < kTimeSlack ? whole : time;
+  }
+
   void Show(ShownFrame shown) {
-    const double whole = std::round(shown.time);
-    if (std::abs(shown.time - whole) < kTimeSlack) {
-      shown.time = whole;
-      if (whole < static_cast<double>(clip_.frames.size())) shown.frame = static_cast<int>(whole);
+    if (shown.time == std::round(shown.time) &&
+        shown.time < static_cast<double>(clip_.frames.size())) {
+      shown.frame = static_cast<int>(shown.time);
     }
     sink_(shown);
   }
@@ -262,6 +273,7 @@ class ModeRun {
   std::unique_ptr<SuperResolutionPasses> super_resolution_;
   std::unique_ptr<FrameGenerationPasses> generation_;
   std::optional<OpticalFlow> flow_;
+  std::optional<ReprojectionSource> known_;
   MotionBuffer flow_motion_;
   ImageBuffer flat_depth_;  // with optical flow
   std::array<Display, 2> displays_;
