@@ -9,7 +9,8 @@
 
 namespace warplut {
 
-// The message of OpenImageIO for a failure, on one line, without the spaces at its end; a reason of our own if it is empty.
+// The message of OpenImageIO for a failure, on one line, without the spaces at its end. One of our
+// own if it is empty.
 inline std::string ImageMessage(std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
   while (!message.empty() && message.back() == ' ') message.pop_back();

@@ -26,8 +26,8 @@ struct Parameters {
   float fsr2_lock_ratio = 1.05f;
   float bidir_tolerance = 0.5f;
   // The slides of mesh projection have tiles of 8 to 16 pixels, and no thresholds: these are ours.
-  float mesh_tile = 8.0f;
-  float mesh_tensile = 2.0f;
+  float mesh_tile = 16.0f;
+  float mesh_tensile = 4.0f;
   float mesh_shear = 0.25f;
 
   bool operator==(const Parameters&) const = default;

@@ -139,7 +139,7 @@ class ModeRun {
     generated_ = ImageBuffer(grid.width, grid.height, format);
     if (!WarpsFrames(method_)) return;
     if (method_.cameras != CameraSchedule::kNone && HasCameras(clip_)) {
-      known_.emplace(clip_, method_.cameras, options_.every, TakesReferences(clip_));
+      known_.emplace(clip_, method_.cameras, options_.every, GeneratesFromReferences(clip_));
     }
     generation_ = device_.MakeFrameGeneration(EffectiveGeneration(clip_, options_), format);
   }
