@@ -18,8 +18,8 @@ namespace WARPLUT_PUBLIC warplut {
 // Draws `hud` over `image`, whose alpha is kept. Both are RGBA8, RGBA16F or RGBA32F, of one size.
 // The colours of the HUD are multiplied by its alpha already (premultiplied). Its alpha is limited
 // to [0, 1], its colours like those of frames (kDisplay: to [0, 1], kLinearHdr: LimitHdr); NaN
-// counts as 0. Where all four channels are 0 the image keeps its bits. Any executor gives the same
-// bits. Allocates nothing.
+// counts as 0. Where all four channels are 0 the image keeps its bits. A HUD without data draws
+// nothing. Any executor gives the same bits. Allocates nothing.
 void DrawHud(const ImageView& hud, ColorEncoding encoding, Executor& executor,
              const MutableImageView& image);
 

@@ -64,7 +64,8 @@ run_tests() {
   step "test $preset"
   report=$PWD/build/$preset/junit.xml
   rm -f "$report"
-  ctest --preset "$preset" --parallel "$jobs" --output-junit "$report" "$@" \
+  ctest --preset "$preset" --parallel "$jobs" --output-junit "$report" \
+    --test-output-size-passed 10000000 --test-output-size-failed 10000000 "$@" \
     > "build/$preset/ctest.log" 2>&1 || true
   if [ ! -s "$report" ]; then
     tail -n 20 "build/$preset/ctest.log"

@@ -36,6 +36,7 @@ void DrawRow(const ImageView& hud, float most, int y, const MutableImageView& im
 
 void DrawHud(const ImageView& hud, ColorEncoding encoding, Executor& executor,
              const MutableImageView& image) {
+  if (hud.data == nullptr) return;
   const float most = encoding == ColorEncoding::kLinearHdr ? kLargestHdr : 1.0f;
   executor.ForEach(TileCount(image.height, kBandRows), [&](int band) {
     const FloatEnvironment environment;

@@ -35,10 +35,7 @@ bool CheckFormats(const DisplayedFrame& frame0, const DisplayedFrame& frame1,
 // Whether the peer takes what is known of the generated frame.
 bool CheckReprojection(const FrameGenerationOptions& o, const Reprojection* known,
                        std::string* why) {
-  if (known == nullptr || !kPipeline.peers || o.peer == nullptr ||
-      o.peer->buffer_bytes == nullptr) {
-    return true;
-  }
+  if (known == nullptr || !Projects(o)) return true;
   if (!PointCarrier::Of(*known, o.width, o.height)) {
     if (!(known->depth_unit > 0)) {
       return Refuse({"depth_unit is ", std::to_string(known->depth_unit), "; expected above 0."},

@@ -43,12 +43,6 @@ RowKernels KernelsOf(const FrameGenerationOptions& options) {
   return own;
 }
 
-// Whether the options name a peer that takes a reprojection.
-bool Projects(const FrameGenerationOptions& options) {
-  if constexpr (!kPipeline.peers) return false;
-  return options.peer != nullptr && options.peer->buffer_bytes != nullptr;
-}
-
 }  // namespace
 
 struct WARPLUT_HIDDEN FrameGeneration::State {
@@ -65,7 +59,6 @@ struct WARPLUT_HIDDEN FrameGeneration::State {
   void Generate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,
                 bool interpolates, const MutableImageView& out);
   void Show(const ImageView& color, const MutableImageView& out);
-  void Draw(const ImageView& hud, const MutableImageView& out);
 
   void FindStillSurface(GenerationJob& job, const ImageView& moving);
   void DrawOver(const ImageView& drawn, const MutableImageView& out);
@@ -340,10 +333,6 @@ inline void FrameGeneration::State::Show(const ImageView& color, const MutableIm
   });
 }
 
-inline void FrameGeneration::State::Draw(const ImageView& hud, const MutableImageView& out) {
-  if (hud.data != nullptr) DrawHud(hud, EncodingOf(options), executor, out);
-}
-
 FrameGeneration::FrameGeneration(const FrameGenerationOptions& options, Executor& executor) {
   const FloatEnvironment environment;
   if constexpr (kContainsGeneration) state_ = std::make_unique<State>(options, executor);
@@ -360,7 +349,8 @@ void FrameGeneration::Interpolate(const DisplayedFrame& frame0, const DisplayedF
     } else {
       state_->Generate(frame0, frame1, alpha, true, out);
     }
-    state_->Draw(alpha < 0.5f ? frame0.hud : frame1.hud, out);
+    DrawHud(alpha < 0.5f ? frame0.hud : frame1.hud, EncodingOf(state_->options), state_->executor,
+            out);
   }
 }
 
@@ -373,7 +363,7 @@ void FrameGeneration::Extrapolate(const DisplayedFrame& frame0, const DisplayedF
     } else {
       state_->Generate(frame0, frame1, alpha, false, out);
     }
-    state_->Draw(frame1.hud, out);
+    DrawHud(frame1.hud, EncodingOf(state_->options), state_->executor, out);
   }
 }
 

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 
+#include "runtime/frame_generation.h"
 #include "runtime/generation/row_kernels.h"
 #include "runtime/peers.h"
+#include "runtime/pipeline.h"
 
 namespace warplut {
 
@@ -17,5 +19,10 @@ struct GenerationPeer {
   // have for displacements.
   std::size_t (*buffer_bytes)(int width, int height) = nullptr;
 };
+
+// Whether the options name a peer that takes DisplayedFrame::reprojection.
+inline bool Projects(const FrameGenerationOptions& options) {
+  return kPipeline.peers && options.peer != nullptr && options.peer->buffer_bytes != nullptr;
+}
 
 }  // namespace warplut

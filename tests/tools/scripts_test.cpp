@@ -52,5 +52,31 @@ TEST(Scripts, SummaryCountsPassedFailedAndSkipped) {
               testing::AllOf(testing::HasSubstr("1 < 0"), testing::HasSubstr("A.Skip: no data")));
 }
 
+TEST(Scripts, SummaryCountsTheTestsOfASuite) {
+  const TemporaryFolder folder;
+  const std::string ended =
+      "\t<testcase name=\"A.all\" status=\"fail\">\n\t\t<failure message=\"\"/>\n"
+      "\t\t<system-out>Note: Google Test filter = A.*\n"
+      "[ RUN      ] A.Pass\n[       OK ] A.Pass (3 ms)\n"
+      "[ RUN      ] A.Fail\n1 &lt; 0\n[  FAILED  ] A.Fail, where GetParam() = 2 (0 ms)\n"
+      "[ RUN      ] A.Skip\na_test.cpp:4: Skipped\nno data\n\n[  SKIPPED ] A.Skip (1 ms)\n"
+      "[  PASSED  ] 1 test.\n[  FAILED  ] 1 test, listed below:\n"
+      "[  FAILED  ] A.Fail, where GetParam() = 2\n</system-out>\n\t</testcase>\n";
+  const std::string died =
+      "\t<testcase name=\"B.all\" status=\"fail\">\n\t\t<failure message=\"\"/>\n"
+      "\t\t<system-out>[ RUN      ] B.Pass\n[       OK ] B.Pass (3 ms)\n"
+      "[ RUN      ] B.Dies\nSegmentation fault\n</system-out>\n\t</testcase>\n";
+  WriteFile(folder / "junit.xml", "<testsuite>\n" + ended + died + "</testsuite>\n");
+  const auto summary = [&](const std::string& what) {
+    return RunProgram("/usr/bin/awk", {"-f", kTools + "junit_summary.awk", "-v", "what=" + what,
+                                       folder / "junit.xml"})
+        .out;
+  };
+  EXPECT_EQ(summary("counts"), "2 2 1\n");
+  EXPECT_THAT(summary("details"),
+              testing::AllOf(testing::HasSubstr("1 < 0"), testing::HasSubstr("A.Skip: no data"),
+                             testing::HasSubstr("failed: B.Dies")));
+}
+
 }  // namespace
 }  // namespace warplut

@@ -27,9 +27,10 @@ constexpr StabilityCase kRuntimeCases[] = {
             "within the bound of the plain version, in range with the table's overshoot",
             WarpSizes),
     Runtime("motion NaN and infinite", kStill, MotionNotFinite),
-    Runtime("motion of 1e6 pixels",
-            "as without history; extrapolation shows the texel of the corner, to 1e-6",
-            MotionOfAMillionPixels),
+    Runtime(
+        "motion of 1e6 pixels",
+        "as without history; extrapolation shows the texel of the corner, to 1e-6, a mesh to 0.01",
+        MotionOfAMillionPixels),
     Runtime("motion wild in a third of the pixels", kSound, MotionWild),
     Runtime("motion filter with a third of the motion wild",
             "the rest within a quarter of its rounding of exact motion, the plain version to 1e-5",

@@ -304,4 +304,10 @@ StabilityResult Examination::Result() const {
   return {failure_.empty(), observed};
 }
 
+bool IsAnchoredMesh(const MethodInfo& method) {
+  FrameGenerationOptions options;
+  if (method.configure_generation != nullptr) method.configure_generation(options);
+  return options.peer == &kMeshProjection;
+}
+
 }  // namespace warplut

@@ -94,4 +94,10 @@ class Examination {
   std::string failure_;
 };
 
+// A mesh whose border stays at that of the frame is stretched over it. Where its inner vertices are
+// a million pixels away each pixel shows the corner, but for a fraction of a tile: values within
+// this of it.
+inline constexpr double kStretchedRounding = 0.01;
+bool IsAnchoredMesh(const MethodInfo& method);
+
 }  // namespace warplut

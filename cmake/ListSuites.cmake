@@ -1,0 +1,16 @@
+# Run by ctest: adds the suites of `program`, or, where it was not built, a test that fails.
+if(NOT EXISTS "${program}")
+  add_test("${name}_NOT_BUILT" "${name}_NOT_BUILT")
+  return()
+endif()
+execute_process(COMMAND "${program}" --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "'${program} --gtest_list_tests' ended with ${status}.")
+endif()
+# Suites stand at the start of a line and end in a dot; their tests are indented.
+string(REGEX MATCHALL "\n[A-Za-z0-9_/]+\\." suites "\n${listed}")
+foreach(suite IN LISTS suites)
+  string(STRIP "${suite}" suite)
+  add_test("${suite}all" "${program}" "--gtest_filter=${suite}*")
+  set_tests_properties("${suite}all" PROPERTIES ENVIRONMENT "${environment}")
+endforeach()
