@@ -104,7 +104,7 @@ fi
 configure_and_build ci
 run_tests ci
 if [ "$what" = --full ]; then
-  configure_and_build runtime-only warplut_runtime chained_example test_luts test_runtime
+  configure_and_build runtime-only warplut_runtime chained_example test_contract test_runtime
   run_tests runtime-only --exclude-regex "$elsewhere"
   configure_and_build asan-ubsan test_compatibility test_datasets test_fuzz test_generation test_luts \
     test_peers test_runtime test_sr test_train_kernels
