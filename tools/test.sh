@@ -4,7 +4,7 @@
 #   --full         also builds the runtime alone and tests its core, tests what reads files and what
 #                  a renderer calls under the sanitizers, and runs the fuzzers if clang++ is there:
 #                  continuous integration
-#   --sanitizers   instead builds and runs every test program under the sanitizers: hours
+#   --sanitizers   instead builds and runs every test program under the sanitizers
 #   --arm64        instead builds the runtime alone for 64-bit ARM and runs its tests in QEMU
 # A build that fails counts as one failed test. Tests on recorded sequences run if WARPLUT_DATA
 # names their folder.
