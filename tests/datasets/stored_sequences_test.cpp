@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> StoredSequences() {
   std::vector<fs::path> folders;
   const char* data = std::getenv("WARPLUT_DATA");
-  if (!data) return folders;
+  if (data == nullptr || !fs::is_directory(data)) return folders;
   for (const auto& entry : fs::directory_iterator(data)) {
     if (fs::exists(entry.path() / Sequence::kManifest)) folders.push_back(entry.path());
   }
