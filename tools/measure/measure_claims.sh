@@ -15,6 +15,7 @@ generated=i,e,i-paper,e-paper,i-paper-uniform,e-paper-uniform,3dwarp,3dwarp-e,3d
 generated=$generated,mesh-e,mesh,mesh-between
 resolved=sr,sr-paper,taau,sgsr2,fsr2
 joint=isr-paper,esr-paper
+projected=e,3dwarp-e,3dwarp-e-sheet,mesh-e,mesh-between,mesh
 
 # judge SET NAME MODES OPTION...: lines 'SET NAME/METHOD PSNR SSIM MS' of the means over the set.
 judge() {
@@ -55,3 +56,8 @@ done
 awk -f tools/measure/claims_table.awk "$out/scores.txt" > "$out/tables/claims.md"
 awk -v generated=1 -f tools/measure/claims_scores.awk "$out/scores.txt" > "$out/tables/claims-generated.md"
 awk -v generated=0 -f tools/measure/claims_scores.awk "$out/scores.txt" > "$out/tables/claims-resolved.md"
+if [ -n "$data" ]; then
+  "$warplut" judge --modes "$projected" --filter catmull-rom --markdown \
+    --sequence "$data"/*/sequence.json > "$out/projected.md"
+  sed -n '/^|/p; /^$/p' "$out/projected.md" | cat -s > "$out/tables/claims-mesh.md"
+fi
