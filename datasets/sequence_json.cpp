@@ -51,29 +51,30 @@ std::array<double, 2> TakePair(JsonFields& fields, const char* name, double othe
   return {at.Element(0).Number(value[0]), at.Element(1).Number(value[1])};
 }
 
-ColorStream TakeColor(JsonFields fields, const char* grid) {
-  ColorStream stream;
+// The fields that images of colour, masks and layers share.
+template <typename Stream>
+Stream TakeImage(JsonFields& fields, const char* grid) {
+  Stream stream;
   stream.path = fields.Text("path");
   TakeFixed(fields, "grid", grid);
   stream.channels = TakeChannels(fields);
+  return stream;
+}
+
+ColorStream TakeColor(JsonFields fields, const char* grid) {
+  auto stream = TakeImage<ColorStream>(fields, grid);
   fields.Finish();
   return stream;
 }
 
 MaskStream TakeMask(JsonFields fields) {
-  MaskStream stream;
-  stream.path = fields.Text("path");
-  TakeFixed(fields, "grid", kRenderGridName);
-  stream.channels = TakeChannels(fields);
+  auto stream = TakeImage<MaskStream>(fields, kRenderGridName);
   fields.Finish();
   return stream;
 }
 
 LayerStream TakeLayer(JsonFields fields) {
-  LayerStream stream;
-  stream.path = fields.Text("path");
-  TakeFixed(fields, "grid", kOutputGridName);
-  stream.channels = TakeChannels(fields);
+  auto stream = TakeImage<LayerStream>(fields, kOutputGridName);
   stream.alpha = fields.OneOf("alpha", kAlphaKinds);
   fields.Finish();
   return stream;

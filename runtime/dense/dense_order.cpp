@@ -1,7 +1,8 @@
 #include "runtime/dense_order.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "runtime/core/parameter_range.h"
 
 namespace warplut {
 namespace {
@@ -21,19 +22,7 @@ BlockOrder HourglassIf(bool is_hourglass) {
 }  // namespace
 
 bool DenseParameters::IsValid(std::string* why) const {
-  for (const DenseParameterInfo& info : kDenseParameters) {
-    const float value = this->*info.member;
-    if (value >= info.min && value <= info.max) continue;
-    if (why != nullptr) {
-      char sentence[160];
-      std::snprintf(sentence, sizeof(sentence), "%s is %g; expected %g to %g.", info.name,
-                    static_cast<double>(value), static_cast<double>(info.min),
-                    static_cast<double>(info.max));
-      *why = sentence;
-    }
-    return false;
-  }
-  return true;
+  return AreInRange(*this, kDenseParameters, why);
 }
 
 BlockOrder ChooseOrder(OrderRule rule, const DenseParameters& parameters, float x, float y,

@@ -13,8 +13,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "runtime/generation/generation_job.h"
+#include "runtime/motion_tiles.h"
 
 namespace warplut::generation {
 
@@ -56,6 +58,15 @@ struct DepthTolerance {
 };
 
 TargetMotion TargetMotionAt(const GenerationJob& job, const Arrivals& arrivals, int x, int y);
+
+// Stores the motion of pixel (x, y). from0 is left alone if the job extrapolates.
+inline void StoreMotion(const GenerationJob& job, const TargetMotion& motion, int x, int y,
+                        const MutableMotionView& from0, const MutableMotionView& from1,
+                        std::uint8_t* disoccluded) {
+  if (job.Interpolates()) SetMotion(from0, x, y, motion.from0);
+  SetMotion(from1, x, y, motion.from1);
+  if (motion.filled) disoccluded[x / kTileWidth] = 1;
+}
 
 // `disoccluded` has one entry per tile column: 1 is written where a pixel of the row is filled.
 void TargetMotionRowReference(const GenerationJob& job, const Arrivals& arrivals, int y,

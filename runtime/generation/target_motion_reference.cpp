@@ -8,9 +8,7 @@ void TargetMotionRowReference(const GenerationJob& job, const Arrivals& arrivals
                               std::uint8_t* disoccluded) {
   for (int x = 0; x < job.width(); ++x) {
     const TargetMotion motion = TargetMotionAt(job, arrivals, x, y);
-    if (job.Interpolates()) SetMotion(from0, x, y, motion.from0);
-    SetMotion(from1, x, y, motion.from1);
-    if (motion.filled) disoccluded[x / kTileWidth] = 1;
+    StoreMotion(job, motion, x, y, from0, from1, disoccluded);
   }
 }
 

@@ -20,6 +20,21 @@ struct GenerationPeer {
   std::size_t (*buffer_bytes)(int width, int height) = nullptr;
 };
 
+namespace peers {
+
+// The kernels of frame generation with those of a mesh in their places.
+inline generation::RowKernels MeshKernels(generation::RowKernels own,
+                                          decltype(generation::RowKernels::forward) place,
+                                          decltype(generation::RowKernels::splat) draw,
+                                          decltype(generation::RowKernels::target_motion) motion) {
+  own.forward = place;
+  own.splat = draw;
+  own.target_motion = motion;
+  return own;
+}
+
+}  // namespace peers
+
 // Whether the options name a peer that takes DisplayedFrame::reprojection.
 inline bool Projects(const FrameGenerationOptions& options) {
   return kPipeline.peers && options.peer != nullptr && options.peer->buffer_bytes != nullptr;

@@ -301,9 +301,7 @@ inline void ProjectedMotionRow(const GenerationJob& job, const Arrivals& arrival
   const SplatKey* keys = arrivals.keys.Row(y);
   const auto one_by_one = [&](int x) {
     const TargetMotion motion = ProjectedMotionAt(job, grid, arrivals.keys, x, y);
-    if (job.Interpolates()) SetMotion(from0, x, y, motion.from0);
-    SetMotion(from1, x, y, motion.from1);
-    if (motion.filled) disoccluded[x / kTileWidth] = 1;
+    StoreMotion(job, motion, x, y, from0, from1, disoccluded);
   };
   const bool gathers = SourcePixels::AreGathered(job);
   int x = 0;

@@ -33,25 +33,14 @@ void ProjectedMotionRowReference(const GenerationJob& job, const Arrivals& arriv
   const VertexGrid grid(job, arrivals.forward);
   for (int x = 0; x < job.width(); ++x) {
     const TargetMotion motion = ProjectedMotionAt(job, grid, arrivals.keys, x, y);
-    if (job.Interpolates()) SetMotion(from0, x, y, motion.from0);
-    SetMotion(from1, x, y, motion.from1);
-    if (motion.filled) disoccluded[x / kTileWidth] = 1;
+    StoreMotion(job, motion, x, y, from0, from1, disoccluded);
   }
   if (job.still_column != nullptr) AvoidMoving(job, y, 0, job.width(), from1);
 }
 
-RowKernels ProjectionKernels(RowKernels own, decltype(RowKernels::forward) place,
-                             decltype(RowKernels::splat) draw,
-                             decltype(RowKernels::target_motion) motion) {
-  own.forward = place;
-  own.splat = draw;
-  own.target_motion = motion;
-  return own;
-}
-
 RowKernels ReferenceProjectionKernels(const RowKernels& own) {
-  return ProjectionKernels(own, PlaceVertexRowReference, DrawQuadRowReference,
-                           ProjectedMotionRowReference);
+  return MeshKernels(own, PlaceVertexRowReference, DrawQuadRowReference,
+                     ProjectedMotionRowReference);
 }
 
 }  // namespace
@@ -66,7 +55,7 @@ RowKernels ProjectionKernelsOfTarget(const RowKernels& own) {
 #if HWY_TARGET == HWY_SCALAR
   return ReferenceProjectionKernels(own);  // without vectors the formulas are the kernels
 #else
-  return ProjectionKernels(own, PlaceVertexRow, DrawQuadRow, ProjectedMotionRow);
+  return MeshKernels(own, PlaceVertexRow, DrawQuadRow, ProjectedMotionRow);
 #endif
 }
 

@@ -97,7 +97,7 @@ struct Carried {
   bool shown;  // false: behind the camera, or without motion
 };
 
-// Of the point at p that has the depth and, without cameras, the motion of pixel n.
+// Carries the point at p, which has the depth and, without cameras, the motion of pixel n.
 Carried CarryAt(const GenerationJob& job, Vector p, PixelIndex n);
 
 // The pixel at p, or the nearest one to it; p is finite.

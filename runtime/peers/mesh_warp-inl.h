@@ -171,9 +171,7 @@ inline void MeshMotionRow(const GenerationJob& job, const Arrivals& arrivals, in
   const auto outside = hn::Set(d, kOutside);
   const auto one_by_one = [&](int x) {
     const TargetMotion motion = MeshMotionAt(job, arrivals, x, y);
-    if (job.Interpolates()) SetMotion(from0, x, y, motion.from0);
-    SetMotion(from1, x, y, motion.from1);
-    if (motion.filled) disoccluded[x / kTileWidth] = 1;
+    StoreMotion(job, motion, x, y, from0, from1, disoccluded);
   };
   int x = 0;
   for (; gathers && x + kLanes <= job.width(); x += kLanes) {

@@ -32,22 +32,12 @@ void MeshMotionRowReference(const GenerationJob& job, const Arrivals& arrivals, 
                             std::uint8_t* disoccluded) {
   for (int x = 0; x < job.width(); ++x) {
     const TargetMotion motion = MeshMotionAt(job, arrivals, x, y);
-    if (job.Interpolates()) SetMotion(from0, x, y, motion.from0);
-    SetMotion(from1, x, y, motion.from1);
-    if (motion.filled) disoccluded[x / kTileWidth] = 1;
+    StoreMotion(job, motion, x, y, from0, from1, disoccluded);
   }
 }
 
-RowKernels MeshKernels(RowKernels own, decltype(RowKernels::splat) draw,
-                       decltype(RowKernels::target_motion) motion) {
-  own.forward = MeshForwardRow;
-  own.splat = draw;
-  own.target_motion = motion;
-  return own;
-}
-
 RowKernels ReferenceMeshKernels(const RowKernels& own) {
-  return MeshKernels(own, DrawRowReference, MeshMotionRowReference);
+  return MeshKernels(own, MeshForwardRow, DrawRowReference, MeshMotionRowReference);
 }
 
 }  // namespace
@@ -62,7 +52,7 @@ RowKernels MeshKernelsOfTarget(const RowKernels& own) {
 #if HWY_TARGET == HWY_SCALAR
   return ReferenceMeshKernels(own);  // without vectors the formulas are the kernels
 #else
-  return MeshKernels(own, DrawRow, MeshMotionRow);
+  return MeshKernels(own, MeshForwardRow, DrawRow, MeshMotionRow);
 #endif
 }
 

@@ -29,6 +29,12 @@ TEST(Scripts, TheListOfPackagesNamesEachOnce) {
   EXPECT_THAT(result.out, testing::HasSubstr("libceres-dev\n"));
 }
 
+std::string SummaryOf(const std::string& report, const std::string& what) {
+  return RunProgram("/usr/bin/awk",
+                    {"-f", kTools + "junit_summary.awk", "-v", "what=" + what, report})
+      .out;
+}
+
 TEST(Scripts, SummaryCountsPassedFailedAndSkipped) {
   const TemporaryFolder folder;
   WriteFile(folder / "junit.xml",
@@ -42,13 +48,8 @@ TEST(Scripts, SummaryCountsPassedFailedAndSkipped) {
             "\t<testcase name=\"A.Absent\" status=\"notrun\">\n"
             "\t\t<skipped message=\"Unable to find executable\"/>\n\t</testcase>\n"
             "</testsuite>\n");
-  const auto summary = [&](const std::string& what) {
-    return RunProgram("/usr/bin/awk", {"-f", kTools + "junit_summary.awk", "-v", "what=" + what,
-                                       folder / "junit.xml"})
-        .out;
-  };
-  EXPECT_EQ(summary("counts"), "1 2 1\n");
-  EXPECT_THAT(summary("details"),
+  EXPECT_EQ(SummaryOf(folder / "junit.xml", "counts"), "1 2 1\n");
+  EXPECT_THAT(SummaryOf(folder / "junit.xml", "details"),
               testing::AllOf(testing::HasSubstr("1 < 0"), testing::HasSubstr("A.Skip: no data")));
 }
 
@@ -67,13 +68,8 @@ TEST(Scripts, SummaryCountsTheTestsOfASuite) {
       "\t\t<system-out>[ RUN      ] B.Pass\n[       OK ] B.Pass (3 ms)\n"
       "[ RUN      ] B.Dies\nSegmentation fault\n</system-out>\n\t</testcase>\n";
   WriteFile(folder / "junit.xml", "<testsuite>\n" + ended + died + "</testsuite>\n");
-  const auto summary = [&](const std::string& what) {
-    return RunProgram("/usr/bin/awk", {"-f", kTools + "junit_summary.awk", "-v", "what=" + what,
-                                       folder / "junit.xml"})
-        .out;
-  };
-  EXPECT_EQ(summary("counts"), "2 2 1\n");
-  EXPECT_THAT(summary("details"),
+  EXPECT_EQ(SummaryOf(folder / "junit.xml", "counts"), "2 2 1\n");
+  EXPECT_THAT(SummaryOf(folder / "junit.xml", "details"),
               testing::AllOf(testing::HasSubstr("1 < 0"), testing::HasSubstr("A.Skip: no data"),
                              testing::HasSubstr("failed: B.Dies")));
 }

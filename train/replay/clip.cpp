@@ -69,8 +69,8 @@ std::int64_t LimitColor(Image& linear) {
   return limited;
 }
 
-// Of depth 1, in units of the cameras: depth is divided by the far plane, or by the near one where
-// that is infinitely far.
+// The distance of depth 1, in units of the cameras: depth is divided by the far plane, or by the
+// near one where the far one is infinitely far.
 double DepthUnit(const DepthStream& depth) {
   return std::isfinite(depth.far) ? depth.far : depth.near;
 }

@@ -36,7 +36,7 @@ struct Clip {
   GridSize render, output;
   std::vector<GridSize> render_sizes;  // of each frame, where they vary; else empty
   ColorEncoding encoding = ColorEncoding::kDisplay;
-  // Of depth 1, in units of the cameras' matrices: of `depth` and of `reference_depth`.
+  // The distance of depth 1 in units of the cameras' matrices, for `depth` and `reference_depth`.
   double depth_unit = 1, reference_depth_unit = 1;
   bool quantised_motion = false;  // HasQuantisedMotion, if it was asked for
   // Channels of linear colour that were above kLargestHdr or infinite, of `color` and of
