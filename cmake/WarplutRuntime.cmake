@@ -19,9 +19,9 @@ function(warplut_runtime_library name)
     hdr_rows.cpp
     row_kernels.cpp
     splat_reference.cpp
-    surface_before_reference.cpp
-    target_motion.cpp
-    target_motion_reference.cpp)
+    motion/surface_before_reference.cpp
+    motion/target_motion.cpp
+    motion/target_motion_reference.cpp)
   list(TRANSFORM generation PREPEND ${WARPLUT_ROOT}/runtime/generation/)
   set(sr
     aliasing.cpp
@@ -32,16 +32,16 @@ function(warplut_runtime_library name)
     super_resolution.cpp)
   list(TRANSFORM sr PREPEND ${WARPLUT_ROOT}/runtime/sr/)
   set(peers
-    bidirectional.cpp
-    bidirectional_reference.cpp
-    mesh_projection.cpp
-    mesh_projection_reference.cpp
-    mesh_warp.cpp
-    mesh_warp_reference.cpp
-    fsr2.cpp
-    fsr2_reference.cpp
-    sgsr2.cpp
-    taau.cpp)
+    generation/bidirectional.cpp
+    generation/bidirectional_reference.cpp
+    generation/mesh_projection.cpp
+    generation/mesh_projection_reference.cpp
+    generation/mesh_warp.cpp
+    generation/mesh_warp_reference.cpp
+    sr/fsr2.cpp
+    sr/fsr2_reference.cpp
+    sr/sgsr2.cpp
+    sr/taau.cpp)
   list(TRANSFORM peers PREPEND ${WARPLUT_ROOT}/runtime/peers/)
   set(dense
     compose.cpp

@@ -26,7 +26,7 @@
 #include <string>
 
 #include "datasets/image.h"
-#include "datasets/stream.h"
+#include "datasets/sequence/stream.h"
 
 namespace warplut {
 

@@ -12,6 +12,7 @@
 #include "datasets/jitter.h"
 #include "luts/certificate/certificate.h"
 #include "tools/judge/protocol_filter.h"
+#include "tools/terminal/warning.h"
 #include "train/replay/clip_texels.h"
 #include "train/replay/parameters_file.h"
 
@@ -165,6 +166,17 @@ Clip Pipeline::Load(const Sequence& sequence, const FrameRange& range,
   }
   if (arguments_.texels) TakeTexels(clip);
   return clip;
+}
+
+Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path,
+                         const std::vector<const MethodInfo*>& methods) {
+  Sequence sequence = ReadSequence(path);
+  if (std::none_of(methods.begin(), methods.end(),
+                   [](const MethodInfo* method) { return HasHistory(*method); })) {
+    return sequence;
+  }
+  if (const auto warning = pipeline.ScaleWarning(sequence)) Warn(*warning);
+  return sequence;
 }
 
 }  // namespace warplut

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 #include "luts/bake/table_io.h"
 #include "luts/table.h"
 #include "train/replay/mode_run.h"
@@ -82,5 +82,11 @@ class Pipeline {
   WarpOptions warp_;
   Parameters parameters_;
 };
+
+// Reads the sequence for a command that runs these methods: the manifest, and a warning where the
+// LUT was fitted for another scale and one of them keeps a history, whose warps depend on the
+// scale.
+Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path,
+                         const std::vector<const MethodInfo*>& methods);
 
 }  // namespace warplut

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "datasets/error.h"
-#include "datasets/sequence_writer.h"
+#include "datasets/sequence/sequence_writer.h"
 #include "train/ranks/ranks.h"
 
 namespace warplut {

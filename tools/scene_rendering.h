@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "datasets/scenes/scene_renderer.h"
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 
 namespace warplut {
 

@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "runtime/warp.h"
-#include "tools/command.h"
-#include "tools/interrupt.h"
+#include "tools/commands/command.h"
+#include "tools/terminal/interrupt.h"
 #include "train/ranks/ranks.h"
 
 namespace warplut {

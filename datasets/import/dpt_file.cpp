@@ -8,7 +8,7 @@
 
 #include "datasets/error.h"
 #include "datasets/file.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 
 namespace warplut {
 

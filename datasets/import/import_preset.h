@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 
 namespace warplut {
 

@@ -11,11 +11,11 @@
 
 #include "datasets/error.h"
 #include "datasets/file.h"
-#include "datasets/frame_pattern.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "datasets/import/dpt_file.h"
 #include "datasets/import/numbered_files.h"
 #include "datasets/json_fields.h"
+#include "datasets/sequence/frame_pattern.h"
 #include "datasets/text_case.h"
 
 namespace warplut {

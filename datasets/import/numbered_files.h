@@ -8,7 +8,7 @@
 namespace warplut {
 
 struct NumberedFiles {
-  std::string pattern;       // datasets/frame_pattern.h, relative to the folder
+  std::string pattern;       // datasets/sequence/frame_pattern.h, relative to the folder
   std::vector<int> numbers;  // ascending
 };
 

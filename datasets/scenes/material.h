@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "datasets/scenes/linear.h"
-#include "datasets/scenes/text.h"
+#include "datasets/scenes/worlds/text.h"
 
 namespace warplut::scenes {
 

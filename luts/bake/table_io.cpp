@@ -7,7 +7,7 @@
 
 #include "datasets/error.h"
 #include "datasets/file.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "luts/bake/released_layout.h"
 #include "luts/fit/fit.h"
 #include "luts/fit/json_header.h"

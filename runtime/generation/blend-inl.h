@@ -6,7 +6,7 @@
 #define WARPLUT_RUNTIME_GENERATION_BLEND_INL_H_
 #endif
 
-#include "runtime/generation/geometry-inl.h"
+#include "runtime/generation/motion/geometry-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace warplut::generation {

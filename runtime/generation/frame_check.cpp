@@ -7,7 +7,7 @@
 #include "runtime/core/image_check.h"
 #include "runtime/motion/point_carrier.h"
 #include "runtime/motion_filter.h"
-#include "runtime/peers/generation_peer.h"
+#include "runtime/peers/generation/generation_peer.h"
 
 namespace warplut {
 namespace {

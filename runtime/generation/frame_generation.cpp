@@ -16,7 +16,7 @@
 #include "runtime/generation/row_kernels.h"
 #include "runtime/hud.h"
 #include "runtime/motion_filter.h"
-#include "runtime/peers/generation_peer.h"
+#include "runtime/peers/generation/generation_peer.h"
 #include "runtime/warp/warp_kernels.h"
 
 namespace warplut {

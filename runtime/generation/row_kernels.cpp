@@ -10,8 +10,8 @@
 #if HWY_TARGET != HWY_SCALAR
 #include "runtime/generation/blend-inl.h"
 #include "runtime/generation/hdr_rows-inl.h"
+#include "runtime/generation/motion/target_motion-inl.h"
 #include "runtime/generation/splat-inl.h"
-#include "runtime/generation/target_motion-inl.h"
 #endif
 
 HWY_BEFORE_NAMESPACE();

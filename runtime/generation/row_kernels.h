@@ -8,8 +8,8 @@
 #include "runtime/generation/blend.h"
 #include "runtime/generation/generation_job.h"
 #include "runtime/generation/hdr_rows.h"
+#include "runtime/generation/motion/target_motion.h"
 #include "runtime/generation/splat.h"
-#include "runtime/generation/target_motion.h"
 
 namespace warplut::generation {
 

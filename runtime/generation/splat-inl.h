@@ -6,9 +6,9 @@
 #define WARPLUT_RUNTIME_GENERATION_SPLAT_INL_H_
 #endif
 
-#include "runtime/generation/geometry-inl.h"
-#include "runtime/generation/motion_model.h"
-#include "runtime/generation/perspective-inl.h"
+#include "runtime/generation/motion/geometry-inl.h"
+#include "runtime/generation/motion/motion_model.h"
+#include "runtime/generation/motion/perspective-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace warplut::generation {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "runtime/generation/motion_model.h"
+#include "runtime/generation/motion/motion_model.h"
+#include "runtime/generation/motion/surface_before.h"
 #include "runtime/generation/splat.h"
-#include "runtime/generation/surface_before.h"
 
 namespace warplut::generation {
 

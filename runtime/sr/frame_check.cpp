@@ -5,7 +5,7 @@
 #include "runtime/configuration/chosen.h"
 #include "runtime/configuration/pipeline_check.h"
 #include "runtime/core/image_check.h"
-#include "runtime/peers/sr_peer.h"
+#include "runtime/peers/sr/sr_peer.h"
 
 namespace warplut {
 namespace {

@@ -36,7 +36,7 @@ struct SrJob {
       history;  // of the frame before; where the history is not warped it is already in `next`
   ImageView coefficients;       // of `history`, where the filter has a prefilter
   MutableImageView next;        // first the predicted colour, then the new history
-  MutableImageView next_state;  // of a peer that keeps one (runtime/peers/sr_peer.h)
+  MutableImageView next_state;  // of a peer that keeps one (runtime/peers/sr/sr_peer.h)
   const Plane* residual;        // R, G, B: sample minus prediction
   const AliasingMap* aliasing;  // in the adaptive form
 

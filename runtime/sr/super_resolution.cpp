@@ -6,7 +6,7 @@
 #include "runtime/configuration/chosen.h"
 #include "runtime/float_environment.h"
 #include "runtime/motion_filter.h"
-#include "runtime/peers/sr_peer.h"
+#include "runtime/peers/sr/sr_peer.h"
 #include "runtime/prefilter.h"
 #include "runtime/sr/frame_check.h"
 #include "runtime/sr/passes.h"

@@ -1,11 +1,11 @@
-#include "datasets/exr_header.h"
+#include "datasets/images/exr_header.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "datasets/file.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "datasets/flo_file.h"
+#include "datasets/images/flo_file.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "datasets/file.h"
-#include "datasets/image_io.h"
-#include "datasets/sequence.h"
+#include "datasets/images/image_io.h"
+#include "datasets/sequence/sequence.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "datasets/frame_pattern.h"
+#include "datasets/sequence/frame_pattern.h"
 
 #include <gtest/gtest.h>
 

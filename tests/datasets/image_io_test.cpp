@@ -1,4 +1,4 @@
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>

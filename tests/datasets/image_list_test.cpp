@@ -1,11 +1,11 @@
-#include "datasets/image_list.h"
+#include "datasets/images/image_list.h"
 
 #include <gtest/gtest.h>
 
 #include "datasets/file.h"
-#include "datasets/frame_pattern.h"
-#include "datasets/image_io.h"
-#include "datasets/sequence_writer.h"
+#include "datasets/images/image_io.h"
+#include "datasets/sequence/frame_pattern.h"
+#include "datasets/sequence/sequence_writer.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 

@@ -7,7 +7,7 @@
 
 #include "datasets/error.h"
 #include "datasets/file.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "datasets/import/dpt_file.h"
 #include "datasets/import/import_sequence.h"
 #include "datasets/import/numbered_files.h"

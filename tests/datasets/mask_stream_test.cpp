@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "datasets/file.h"
-#include "datasets/image_io.h"
-#include "datasets/sequence_writer.h"
+#include "datasets/images/image_io.h"
+#include "datasets/sequence/sequence_writer.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/train/replay/pan_sequence.h"

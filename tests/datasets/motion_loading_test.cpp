@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "datasets/camera_fill.h"
 #include "datasets/file.h"
-#include "datasets/forward_flow.h"
-#include "datasets/image_io.h"
-#include "datasets/sequence.h"
+#include "datasets/images/image_io.h"
+#include "datasets/sequence/camera_fill.h"
+#include "datasets/sequence/forward_flow.h"
+#include "datasets/sequence/sequence.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 

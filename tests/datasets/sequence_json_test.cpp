@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 

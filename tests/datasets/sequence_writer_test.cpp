@@ -1,4 +1,4 @@
-#include "datasets/sequence_writer.h"
+#include "datasets/sequence/sequence_writer.h"
 
 #include <gtest/gtest.h>
 

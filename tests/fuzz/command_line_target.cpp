@@ -3,7 +3,7 @@
 
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_targets.h"
-#include "tools/command.h"
+#include "tools/commands/command.h"
 
 namespace warplut {
 namespace {

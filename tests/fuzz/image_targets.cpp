@@ -1,8 +1,8 @@
 // Targets that read images, as the streams of a sequence of one frame.
 #include <cmath>
 
-#include "datasets/image_io.h"
-#include "datasets/sequence.h"
+#include "datasets/images/image_io.h"
+#include "datasets/sequence/sequence.h"
 #include "luts/bake/table_io.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_targets.h"

@@ -1,6 +1,6 @@
 // Targets that read JSON: a value that is accepted is written, and read back to the same text.
 #include "datasets/file.h"
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 #include "luts/bake/table_io.h"
 #include "luts/fit/fit.h"
 #include "tests/fuzz/fuzz_file.h"

@@ -3,7 +3,7 @@
 #include "datasets/hash.h"
 #include "runtime/warp.h"
 #include "tests/golden/golden_hashes.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/rollout/noise_image.h"
 #include "train/fit/trainer.h"
 
 namespace warplut {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 
 namespace warplut {
 

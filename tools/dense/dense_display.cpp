@@ -4,7 +4,7 @@
 
 #include "datasets/jitter.h"
 #include "runtime/method.h"
-#include "tools/interrupt.h"
+#include "tools/terminal/interrupt.h"
 #include "train/replay/image_views.h"
 
 namespace warplut {

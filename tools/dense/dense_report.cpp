@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 
 namespace warplut {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/interrupt.h"
+#include "tools/terminal/interrupt.h"
 
 namespace warplut {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "datasets/file.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "datasets/json_fields.h"
 #include "tools/tables/record_table.h"
 

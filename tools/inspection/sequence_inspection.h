@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 #include "train/inspection/inspection.h"
 
 namespace warplut {

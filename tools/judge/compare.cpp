@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "datasets/error.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "tools/judge/image_set.h"
 #include "tools/judge/plane.h"
 #include "train/metrics/luma.h"

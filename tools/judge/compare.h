@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/image_list.h"
+#include "datasets/images/image_list.h"
 
 namespace warplut {
 
@@ -22,8 +22,8 @@ struct FrameScore {
 // too little is left for the SSIM window.
 FrameScore CompareImages(const std::string& name, const Image& a, const Image& b, int border);
 
-// The images of two paths (datasets/image_list.h), paired by file name. An Error names the first
-// file that has no partner, or a name that a path has twice.
+// The images of two paths (datasets/images/image_list.h), paired by file name. An Error names the
+// first file that has no partner, or a name that a path has twice.
 struct FramePair {
   std::string name;
   ListedImage a, b;

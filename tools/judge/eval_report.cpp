@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/judge/image_set.h"
+
 namespace warplut {
 namespace {
 
@@ -73,6 +75,11 @@ nlohmann::ordered_json ToJson(const EvalReport& report) {
           {"judged", ToJson(report.judged)},
           {"others", others},
           {"missed", report.missed}};
+}
+
+std::string ToText(const EvalReport& report) {
+  return fmt::format("{} on {} images, {} lookup\n", report.name, report.images, report.lookup) +
+         ToneMappedText(report.tone_mapped, report.images) + ToText(ScoreTable(report));
 }
 
 }  // namespace warplut

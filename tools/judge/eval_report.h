@@ -27,6 +27,9 @@ struct EvalReport {
 // over each other one. Columns: the protocols, and their mean.
 TextTable ScoreTable(const EvalReport& report);
 
+// The table below a line that says what was judged.
+std::string ToText(const EvalReport& report);
+
 nlohmann::ordered_json ToJson(const EvalReport& report);
 
 }  // namespace warplut

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "tools/judge/warp_protocol.h"
-#include "train/fit/golden_section.h"
+#include "train/fit/rivals/golden_section.h"
 
 namespace warplut {
 

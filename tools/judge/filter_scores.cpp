@@ -9,7 +9,7 @@
 
 #include "datasets/error.h"
 #include "tools/judge/protocol_filter.h"
-#include "train/fit/golden_section.h"
+#include "train/fit/rivals/golden_section.h"
 
 namespace warplut {
 namespace {

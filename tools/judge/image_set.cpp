@@ -9,7 +9,7 @@
 
 #include "datasets/error.h"
 #include "datasets/hash.h"
-#include "datasets/image_list.h"
+#include "datasets/images/image_list.h"
 #include "datasets/json_fields.h"
 #include "train/metrics/displayed_color.h"
 

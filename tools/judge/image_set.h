@@ -10,12 +10,12 @@
 
 namespace warplut {
 
-// Loads every image of every path (datasets/image_list.h says what a path may be), in that order,
-// as displayed: linear HDR of sequences is tone-mapped, and *tone_mapped, unless null, receives how
-// many images were. Each record has the file's name behind the name of the folder that was given,
-// its SHA-1 and its size. An Error names the file: what LoadListedImage refuses, 2 channels, or a
-// value outside [0, 1] of a file that stands alone; or says that two paths give the same file.
-// Alpha is dropped.
+// Loads every image of every path (datasets/images/image_list.h says what a path may be), in that
+// order, as displayed: linear HDR of sequences is tone-mapped, and *tone_mapped, unless null,
+// receives how many images were. Each record has the file's name behind the name of the folder that
+// was given, its SHA-1 and its size. An Error names the file: what LoadListedImage refuses, 2
+// channels, or a value outside [0, 1] of a file that stands alone; or says that two paths give the
+// same file. Alpha is dropped.
 std::vector<TrainImage> LoadImages(const std::vector<std::filesystem::path>& paths,
                                    int* tone_mapped = nullptr);
 

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "datasets/error.h"
-#include "tools/interrupt.h"
 #include "tools/pictures/sequence_pictures.h"
-#include "tools/progress.h"
-#include "tools/warning.h"
+#include "tools/terminal/interrupt.h"
+#include "tools/terminal/progress.h"
+#include "tools/terminal/warning.h"
 #include "train/ranks/ranks.h"
 #include "train/replay/judged_frames.h"
 

@@ -1,11 +1,11 @@
 #include "tools/judge/sr_cross.h"
 
 #include "tools/judge/warp_protocol.h"
-#include "train/fit/crops.h"
-#include "train/fit/keys_search.h"
-#include "train/fit/prefilter_map.h"
+#include "train/fit/objective/prefilter_map.h"
+#include "train/fit/objective/sr_objective.h"
 #include "train/fit/random.h"
-#include "train/fit/sr_objective.h"
+#include "train/fit/rivals/keys_search.h"
+#include "train/fit/rollout/crops.h"
 
 namespace warplut {
 namespace {

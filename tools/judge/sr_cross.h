@@ -1,5 +1,5 @@
-// The cross table of upscale factors: filters judged by objective `sr` (train/fit/sr_objective.h)
-// at factors for which they were trained, and at others.
+// The cross table of upscale factors: filters judged by objective `sr`
+// (train/fit/objective/sr_objective.h) at factors for which they were trained, and at others.
 #pragma once
 
 #include <functional>

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "datasets/image.h"
-#include "train/fit/trajectory.h"
+#include "train/fit/rollout/trajectory.h"
 #include "train/metrics/ssim.h"
 
 namespace warplut {

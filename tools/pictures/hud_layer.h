@@ -1,7 +1,7 @@
 // The HUD of a sequence, drawn over the frames that are shown of it.
 #pragma once
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 #include "runtime/executor.h"
 #include "runtime/image_buffer.h"
 #include "train/replay/mode_run.h"

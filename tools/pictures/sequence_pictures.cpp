@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "datasets/file.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "tools/judge/sequence_scores.h"
 #include "train/replay/judged_frames.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "datasets/error.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "train/replay/image_views.h"
 
 namespace warplut {

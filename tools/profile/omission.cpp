@@ -3,8 +3,6 @@
 namespace warplut {
 namespace {
 
-using Pipeline = ProfiledPipeline;
-
 // Sets a choice where it is not yet so.
 template <class T>
 bool Set(T& choice, T value) {
@@ -13,19 +11,19 @@ bool Set(T& choice, T value) {
   return true;
 }
 
-void DropHistory(Pipeline& pipeline) {
+void DropHistory(ProfiledPipeline& pipeline) {
   pipeline.Drop(&Parameters::sr_depth_threshold);
   pipeline.Drop(&Parameters::blend_a);
   pipeline.Drop(&Parameters::blend_b);
   pipeline.Drop(&Parameters::clamp_gamma);
 }
 
-void DropGeneration(Pipeline& pipeline) {
+void DropGeneration(ProfiledPipeline& pipeline) {
   pipeline.Drop(&Parameters::generation_depth_threshold);
   pipeline.Drop(&Parameters::brightness_threshold);
 }
 
-bool SuperResolution(Pipeline& pipeline) {
+bool SuperResolution(ProfiledPipeline& pipeline) {
   if (!pipeline.super_resolution || !pipeline.one_grid) return false;
   pipeline.super_resolution = false;
   DropHistory(pipeline);
@@ -33,7 +31,7 @@ bool SuperResolution(Pipeline& pipeline) {
 }
 
 template <Generator kGenerator>
-bool Generate(Pipeline& pipeline) {
+bool Generate(ProfiledPipeline& pipeline) {
   const bool averages_what_is_not_there = kGenerator == Generator::kAverage &&
                                           pipeline.method->generation != Generation::kInterpolation;
   if (!pipeline.WarpsFrames() || averages_what_is_not_there) return false;
@@ -42,7 +40,7 @@ bool Generate(Pipeline& pipeline) {
   return true;
 }
 
-bool History(Pipeline& pipeline) {
+bool History(ProfiledPipeline& pipeline) {
   if (!pipeline.HasHistory()) return false;
   pipeline.sr.history = false;
   // Generated frames still move by the motion that super resolution hands over.
@@ -52,7 +50,7 @@ bool History(Pipeline& pipeline) {
 }
 
 // Generated frames take their motion from super resolution: nothing moves in them either.
-bool HistoryMotion(Pipeline& pipeline) {
+bool HistoryMotion(ProfiledPipeline& pipeline) {
   if (!pipeline.WarpsHistory()) return false;
   pipeline.sr.motion = MotionUpsampling::kStatic;
   pipeline.sr.motion_filter = false;
@@ -76,7 +74,7 @@ constexpr int Cost(MotionUpsampling motion) {
 }
 
 template <MotionUpsampling kMotion>
-bool Upsample(Pipeline& pipeline) {
+bool Upsample(ProfiledPipeline& pipeline) {
   // Without a history the motion is upsampled for generated frames alone.
   const bool upsamples =
       pipeline.WarpsHistory() || (pipeline.super_resolution && pipeline.WarpsFrames());
@@ -85,7 +83,7 @@ bool Upsample(Pipeline& pipeline) {
   return true;
 }
 
-bool MotionFilter(Pipeline& pipeline) {
+bool MotionFilter(ProfiledPipeline& pipeline) {
   if (pipeline.super_resolution) return Set(pipeline.sr.motion_filter, false);
   return pipeline.WarpsFrames() && Set(pipeline.generation.motion_filter, false);
 }
@@ -105,73 +103,77 @@ constexpr int Cost(const WarpOptions& warp) {
   return 0;
 }
 
-bool Filters(Pipeline& pipeline, const WarpOptions& warp) {
+bool Filters(ProfiledPipeline& pipeline, const WarpOptions& warp) {
   if (!pipeline.Warps() || Cost(pipeline.warp()) <= Cost(warp)) return false;
   pipeline.SetWarp(warp);
   return true;
 }
 
-bool BilinearFilter(Pipeline& pipeline) { return Filters(pipeline, {.filter = Filter::kBilinear}); }
-bool CubicFilter(Pipeline& pipeline) { return Filters(pipeline, {.filter = Filter::kCatmullRom}); }
-bool NearestLookup(Pipeline& pipeline) {
+bool BilinearFilter(ProfiledPipeline& pipeline) {
+  return Filters(pipeline, {.filter = Filter::kBilinear});
+}
+bool CubicFilter(ProfiledPipeline& pipeline) {
+  return Filters(pipeline, {.filter = Filter::kCatmullRom});
+}
+bool NearestLookup(ProfiledPipeline& pipeline) {
   WarpOptions warp = pipeline.warp();
   if (warp.filter != Filter::kLut) return false;
   warp.lookup = Lookup::kNearest;
   return Filters(pipeline, warp);
 }
 
-bool AdaptiveForm(Pipeline& pipeline) {
+bool AdaptiveForm(ProfiledPipeline& pipeline) {
   if (!pipeline.HasHistory() || pipeline.sr.form != HistoryForm::kAdaptive) return false;
   pipeline.sr.form = HistoryForm::kResidual;
   return true;
 }
 
-bool SampleForm(Pipeline& pipeline) {
+bool SampleForm(ProfiledPipeline& pipeline) {
   return pipeline.HasHistory() && Set(pipeline.sr.form, HistoryForm::kSample);
 }
 
-bool SrDepthGate(Pipeline& pipeline) {
+bool SrDepthGate(ProfiledPipeline& pipeline) {
   if (!pipeline.WarpsHistory() || !Set(pipeline.sr.depth, DepthMeasure::kNone)) return false;
   pipeline.Drop(&Parameters::sr_depth_threshold);
   return true;
 }
 
-bool ColorBox(Pipeline& pipeline) {
+bool ColorBox(ProfiledPipeline& pipeline) {
   if (!pipeline.HasHistory() || !Set(pipeline.sr.clamp, ColorClamp::kNone)) return false;
   pipeline.Drop(&Parameters::clamp_gamma);
   return true;
 }
 
-bool VarianceBox(Pipeline& pipeline) {
+bool VarianceBox(ProfiledPipeline& pipeline) {
   if (!pipeline.HasHistory() || pipeline.sr.clamp != ColorClamp::kVariance) return false;
   pipeline.sr.clamp = ColorClamp::kBox;
   pipeline.Drop(&Parameters::clamp_gamma);
   return true;
 }
 
-bool HalfFloatHistory(Pipeline& pipeline) {
+bool HalfFloatHistory(ProfiledPipeline& pipeline) {
   return pipeline.HasHistory() && Set(pipeline.sr.history_format, PixelFormat::kRgba8);
 }
 
-bool BicubicFrame(Pipeline& pipeline) {
+bool BicubicFrame(ProfiledPipeline& pipeline) {
   return pipeline.super_resolution && Set(pipeline.sr.current, CurrentFrame::kBilinear);
 }
 
-bool Splat(Pipeline& pipeline) {
+bool Splat(ProfiledPipeline& pipeline) {
   return pipeline.WarpsFrames() && Set(pipeline.generation.splat, false);
 }
 
-bool Refinement(Pipeline& pipeline) {
+bool Refinement(ProfiledPipeline& pipeline) {
   return pipeline.WarpsFrames() && pipeline.generation.splat &&
          Set(pipeline.generation.refine, false);
 }
 
-bool DisocclusionFilling(Pipeline& pipeline) {
+bool DisocclusionFilling(ProfiledPipeline& pipeline) {
   return pipeline.Extrapolates() && pipeline.generation.splat &&
          Set(pipeline.generation.fill, DisocclusionFill::kNone);
 }
 
-bool PerspectiveMotion(Pipeline& pipeline) {
+bool PerspectiveMotion(ProfiledPipeline& pipeline) {
   if (!pipeline.WarpsFrames() || pipeline.generation.motion_model != MotionModel::kPerspective) {
     return false;
   }
@@ -179,17 +181,17 @@ bool PerspectiveMotion(Pipeline& pipeline) {
   return true;
 }
 
-bool QuadraticMotion(Pipeline& pipeline) {
+bool QuadraticMotion(ProfiledPipeline& pipeline) {
   return pipeline.WarpsFrames() && Set(pipeline.generation.motion_model, MotionModel::kLinear);
 }
 
-bool GenerationDepthGate(Pipeline& pipeline) {
+bool GenerationDepthGate(ProfiledPipeline& pipeline) {
   if (!pipeline.WarpsFrames() || !Set(pipeline.generation.depth, DepthMeasure::kNone)) return false;
   pipeline.Drop(&Parameters::generation_depth_threshold);
   return true;
 }
 
-bool BrightnessGate(Pipeline& pipeline) {
+bool BrightnessGate(ProfiledPipeline& pipeline) {
   if (!pipeline.Interpolates() || !Set(pipeline.generation.brightness_gate, false)) return false;
   pipeline.Drop(&Parameters::brightness_threshold);
   return true;

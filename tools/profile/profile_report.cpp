@@ -326,4 +326,13 @@ std::vector<std::string> Banner(const ProfileReport& report) {
   return lines;
 }
 
+std::string ToMarkdown(const ProfileReport& report) {
+  std::string text = ToMarkdown(SummaryTable(report));
+  for (const TextTable& table :
+       {AloneTable(report), TogetherTable(report), TablesTable(report), TileTable(report)}) {
+    if (!table.rows.empty()) text += '\n' + ToMarkdown(table);
+  }
+  return text;
+}
+
 }  // namespace warplut

@@ -57,10 +57,13 @@ TextTable TileTable(const ProfileReport& report);
 // The tables and what is to be said about them.
 std::string ToText(const ProfileReport& report);
 
+// The tables alone, but for those without a row.
+std::string ToMarkdown(const ProfileReport& report);
+
 Json ToJson(const ProfileReport& report);
 
-// The comment of PIPELINE.h, line by line. Only the line that begins with "Measured" hangs on
-// measured times.
+// The comment of PIPELINE.h, line by line. Only the line that begins with "Measured"
+// depends on measured times.
 std::vector<std::string> Banner(const ProfileReport& report);
 
 }  // namespace warplut

@@ -4,7 +4,7 @@
 
 #include "datasets/error.h"
 #include "datasets/file.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "datasets/json_fields.h"
 #include "tools/report/page/svg_plot.h"
 #include "tools/tables/record_table.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 #include "luts/fit/fit.h"
 #include "luts/quantize/baked_table.h"
 #include "luts/table.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "luts/prefilter.h"
-#include "train/fit/canonical_nodes.h"
+#include "train/fit/objective/canonical_nodes.h"
 
 namespace warplut {
 

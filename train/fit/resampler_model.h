@@ -1,14 +1,14 @@
 // Parameters -> resampler, with the gradient: MLP, head and prefilter.
 //
 // Parameters are those of the MLP (MlpParameters of the footprint), then the numbers of the
-// prefilter (train/fit/prefilter_map.h). The head's weights depend on the prefilter through its
-// side.
+// prefilter (train/fit/objective/prefilter_map.h). The head's weights depend on the prefilter
+// through its side.
 #pragma once
 
 #include <vector>
 
-#include "train/fit/head_batch.h"
-#include "train/fit/prefilter_map.h"
+#include "train/fit/objective/head_batch.h"
+#include "train/fit/objective/prefilter_map.h"
 #include "train/fit/resampler.h"
 
 namespace warplut {

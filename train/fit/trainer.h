@@ -3,11 +3,12 @@
 // The training goes in stages. Each draws crops and trajectories anew, so that no stage can learn
 // its trajectories by heart, and starts the optimizer from where the last one ended; early stages
 // have fewer crops and a smoother objective. At the end of a stage the gain is limited, so that the
-// weights keep their bound (train/fit/gain_limit.h). With a prefilter the start is the spline with
-// the least objective, and the baselines are splines (train/fit/spline_family.h). With 24 and 36
-// taps the start is a wide kernel, and the baselines are windowed sincs
-// (train/fit/kaiser_family.h). After each stage the fit is validated on crops that are drawn from
-// other places and trajectories of their own; the best stage is the result.
+// weights keep their bound (train/fit/objective/gain_limit.h). With a prefilter the start is the
+// spline with the least objective, and the baselines are splines
+// (train/fit/rivals/spline_family.h). With 24 and 36 taps the start is a wide kernel, and the
+// baselines are windowed sincs (train/fit/rivals/kaiser_family.h). After each stage the fit is
+// validated on crops that are drawn from other places and trajectories of their own; the best stage
+// is the result.
 #pragma once
 
 #include <functional>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 
 namespace warplut {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 
 namespace warplut {
 

@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
-#include "datasets/camera_fill.h"
 #include "datasets/error.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
+#include "datasets/sequence/camera_fill.h"
 #include "train/inspection/findings.h"
 #include "train/inspection/points.h"
 #include "train/replay/image_views.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "datasets/error.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "runtime/motion_filter.h"
 #include "train/replay/image_views.h"
 #include "train/replay/motion_composition.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 #include "runtime/frame_generation.h"
 #include "runtime/image_buffer.h"
 #include "runtime/reprojection.h"

@@ -1,4 +1,4 @@
-// The way of a pixel of frame 1 by the perspective motion model: runtime/generation/motion_model.h
+// The way of a pixel of frame 1 by the perspective motion model: runtime/generation/motion/motion_model.h
 // and surface_before.h, line by line. Before it comes generation.glsl.
 
 // A depth that can be divided by.

@@ -1,5 +1,5 @@
 // Motion of the generated frame's own pixels, to warp frames 0 and 1 by:
-// runtime/generation/target_motion.h. Before it comes generation.glsl.
+// runtime/generation/motion/target_motion.h. Before it comes generation.glsl.
 
 // Motion from frames 0 and 1 to a pixel: the source positions are q - m.
 struct TargetMotion {

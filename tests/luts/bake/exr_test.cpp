@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "tests/luts/test_fits.h"
 
 namespace warplut {

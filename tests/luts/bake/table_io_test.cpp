@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "luts/bake/bake.h"
 #include "luts/bake/released_layout.h"
 #include "luts/filters.h"

@@ -1,4 +1,4 @@
-#include "runtime/generation/motion_model.h"
+#include "runtime/generation/motion/motion_model.h"
 
 #include <gtest/gtest.h>
 

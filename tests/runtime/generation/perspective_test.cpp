@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "runtime/generation/motion/surface_before.h"
+#include "runtime/generation/motion/target_motion.h"
 #include "runtime/generation/splat.h"
-#include "runtime/generation/surface_before.h"
-#include "runtime/generation/target_motion.h"
 #include "tests/runtime/generation/camera_travel.h"
 
 namespace warplut::generation {

@@ -1,4 +1,4 @@
-#include "runtime/generation/target_motion.h"
+#include "runtime/generation/motion/target_motion.h"
 
 #include "tests/runtime/generation/generation_fixture.h"
 

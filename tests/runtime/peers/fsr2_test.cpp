@@ -1,5 +1,5 @@
 // Locks and limits of fsr2.
-#include "runtime/peers/fsr2.h"
+#include "runtime/peers/sr/fsr2.h"
 
 #include "runtime/method.h"
 #include "tests/runtime/sr/sr_fixture.h"

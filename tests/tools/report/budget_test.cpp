@@ -8,7 +8,7 @@
 #include "tools/report/budget/budget_generation.h"
 #include "tools/report/budget/budget_motion.h"
 #include "tools/report/budget/budget_super_resolution.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/rollout/noise_image.h"
 #include "train/replay/image_views.h"
 
 namespace warplut {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tools/report/calibration_study.h"
+#include "tools/report/sections/calibration_study.h"
 #include "train/calibration/gate_model.h"
 #include "train/calibration/search_space.h"
 

@@ -9,8 +9,8 @@
 #include "tools/report/quartiles.h"
 #include "tools/report/trainer/trainer_half_pixel.h"
 #include "tools/report/trainer/trainer_profile.h"
-#include "train/fit/keys_search.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/rivals/keys_search.h"
+#include "train/fit/rollout/noise_image.h"
 #include "train/ranks/ranks.h"
 
 namespace warplut {

@@ -5,7 +5,7 @@
 #include "datasets/file.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
-#include "train/fit/mlp_objective.h"
+#include "train/fit/objective/mlp_objective.h"
 
 namespace warplut {
 namespace {

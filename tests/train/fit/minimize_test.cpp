@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "train/fit/mlp_objective.h"
-#include "train/fit/noise_image.h"
-#include "train/fit/warp_objective.h"
+#include "train/fit/objective/mlp_objective.h"
+#include "train/fit/objective/warp_objective.h"
+#include "train/fit/rollout/noise_image.h"
 
 namespace warplut {
 namespace {

@@ -10,11 +10,11 @@
 #include "datasets/file.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
-#include "train/fit/crops.h"
-#include "train/fit/gain_limit.h"
-#include "train/fit/kaiser_family.h"
-#include "train/fit/noise_image.h"
-#include "train/fit/spline_family.h"
+#include "train/fit/objective/gain_limit.h"
+#include "train/fit/rivals/kaiser_family.h"
+#include "train/fit/rivals/spline_family.h"
+#include "train/fit/rollout/crops.h"
+#include "train/fit/rollout/noise_image.h"
 
 namespace warplut {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "datasets/file.h"
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "datasets/scenes/scene_renderer.h"
-#include "datasets/sequence_writer.h"
+#include "datasets/sequence/sequence_writer.h"
 
 namespace warplut {
 

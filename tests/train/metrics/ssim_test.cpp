@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "runtime/core/instruction_sets.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/rollout/noise_image.h"
 
 namespace warplut {
 namespace {

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "datasets/image_io.h"
+#include "datasets/images/image_io.h"
 #include "tests/datasets/expect_error.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/train/replay/pan_sequence.h"

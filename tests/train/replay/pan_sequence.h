@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "datasets/jitter.h"
-#include "datasets/sequence_writer.h"
+#include "datasets/sequence/sequence_writer.h"
 
 namespace warplut {
 

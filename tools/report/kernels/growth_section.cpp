@@ -63,13 +63,13 @@ class Runner {
   }
 
   void Frame() {
-    constexpr float kAlpha = 0.5f;
+    constexpr float kMiddle = 0.5f;
     if (super_resolution_) {
       super_resolution_->Process(scene_.Rendered(index_++), out_.view());
     } else if (subject_ == Subject::kInterpolation) {
-      generation_->Interpolate(scene_.Displayed(), scene_.Displayed(), kAlpha, out_.view());
+      generation_->Interpolate(scene_.Displayed(), scene_.Displayed(), kMiddle, out_.view());
     } else {
-      generation_->Extrapolate(scene_.Displayed(), scene_.Displayed(), kAlpha, out_.view());
+      generation_->Extrapolate(scene_.Displayed(), scene_.Displayed(), kMiddle, out_.view());
     }
   }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/report/kernels/resampling_kernels.h"
-#include "train/fit/trajectory.h"
+#include "train/fit/rollout/trajectory.h"
 #include "train/replay/clip.h"
 
 namespace warplut {

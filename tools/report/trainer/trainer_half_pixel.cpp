@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "luts/filters.h"
-#include "train/fit/keys_search.h"
+#include "train/fit/rivals/keys_search.h"
 
 namespace warplut {
 namespace {

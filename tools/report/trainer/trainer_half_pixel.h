@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "train/fit/canonical_nodes.h"
+#include "train/fit/objective/canonical_nodes.h"
 
 namespace warplut {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "train/fit/head_batch.h"
+#include "train/fit/objective/head_batch.h"
 
 namespace warplut {
 namespace {

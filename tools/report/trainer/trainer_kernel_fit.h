@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "train/fit/canonical_nodes.h"
+#include "train/fit/objective/canonical_nodes.h"
 
 namespace warplut {
 

@@ -7,12 +7,12 @@
 
 #include "luts/fit/head.h"
 #include "tools/report/trainer/trainer_half_pixel.h"
-#include "train/fit/crops.h"
-#include "train/fit/keys_search.h"
-#include "train/fit/mlp_objective.h"
+#include "train/fit/objective/mlp_objective.h"
+#include "train/fit/objective/warp_objective.h"
 #include "train/fit/random.h"
+#include "train/fit/rivals/keys_search.h"
+#include "train/fit/rollout/crops.h"
 #include "train/fit/train_options.h"
-#include "train/fit/warp_objective.h"
 
 namespace warplut {
 namespace {

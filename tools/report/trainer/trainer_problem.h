@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "datasets/image.h"
-#include "train/fit/canonical_nodes.h"
-#include "train/fit/objective.h"
+#include "train/fit/objective/canonical_nodes.h"
+#include "train/fit/objective/objective.h"
 #include "train/fit/parameter_function.h"
 
 namespace warplut {
 
-// kObjective: repeated warps of crops, with the bound on gain (train/fit/mlp_objective.h). kKernel:
-// the weights of a known kernel.
+// kObjective: repeated warps of crops, with the bound on gain
+// (train/fit/objective/mlp_objective.h). kKernel: the weights of a known kernel.
 enum class ProblemKind : std::uint8_t { kObjective, kKernel };
 
 class TrainerProblem {

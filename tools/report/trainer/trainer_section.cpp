@@ -11,7 +11,7 @@
 #include "tools/report/quartiles.h"
 #include "tools/report/section_time.h"
 #include "tools/report/trainer/trainer_profile.h"
-#include "train/fit/keys_search.h"
+#include "train/fit/rivals/keys_search.h"
 #include "train/metrics/luma.h"
 #include "train/ranks/ranks.h"
 

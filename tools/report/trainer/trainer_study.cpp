@@ -14,9 +14,9 @@
 #include "tools/bench/timing.h"
 #include "tools/report/section_time.h"
 #include "tools/report/trainer/trainer_kernel_fit.h"
-#include "train/fit/golden_section.h"
-#include "train/fit/keys_search.h"
 #include "train/fit/minimize.h"
+#include "train/fit/rivals/golden_section.h"
+#include "train/fit/rivals/keys_search.h"
 #include "train/ranks/ranks.h"
 
 namespace warplut {

@@ -11,9 +11,9 @@
 #include "tests/stability/cases/gradients/gradient_reference.h"
 #include "tests/stability/cases/training/training_images.h"
 #include "tests/stability/cases/training/training_problem.h"
-#include "train/fit/keys_search.h"
-#include "train/fit/noise_image.h"
-#include "train/fit/sr_objective.h"
+#include "train/fit/objective/sr_objective.h"
+#include "train/fit/rivals/keys_search.h"
+#include "train/fit/rollout/noise_image.h"
 
 namespace warplut {
 namespace {

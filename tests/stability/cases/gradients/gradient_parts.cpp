@@ -11,10 +11,10 @@
 #include "tests/stability/cases/training/training_images.h"
 #include "train/calibration/gate_model.h"
 #include "train/calibration/soft_fit.h"
-#include "train/fit/gain_penalty.h"
-#include "train/fit/keys_search.h"
-#include "train/fit/mlp_objective.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/objective/gain_penalty.h"
+#include "train/fit/objective/mlp_objective.h"
+#include "train/fit/rivals/keys_search.h"
+#include "train/fit/rollout/noise_image.h"
 #include "train/metrics/ssim_reference.h"
 
 namespace warplut {

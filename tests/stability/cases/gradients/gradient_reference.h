@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/stability/cases/gradients/gradient_differences.h"
-#include "train/fit/objective.h"
+#include "train/fit/objective/objective.h"
 
 namespace warplut {
 

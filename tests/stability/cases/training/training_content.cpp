@@ -11,8 +11,8 @@
 #include "datasets/tone_map.h"
 #include "tests/stability/cases/training/training_images.h"
 #include "tests/stability/cases/training/training_problem.h"
-#include "train/fit/crops.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/rollout/crops.h"
+#include "train/fit/rollout/noise_image.h"
 #include "train/fit/trainer.h"
 
 namespace warplut {

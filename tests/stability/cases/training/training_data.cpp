@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "tests/stability/cases/training/training_problem.h"
-#include "train/fit/crops.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/rollout/crops.h"
+#include "train/fit/rollout/noise_image.h"
 #include "train/fit/trainer.h"
 
 namespace warplut {

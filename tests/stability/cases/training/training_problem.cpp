@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "luts/certificate/certificate.h"
-#include "train/fit/gain_limit.h"
 #include "train/fit/minimize.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/objective/gain_limit.h"
+#include "train/fit/rollout/noise_image.h"
 #include "train/fit/train_options.h"
 
 namespace warplut {

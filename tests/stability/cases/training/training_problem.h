@@ -7,8 +7,8 @@
 
 #include "datasets/image.h"
 #include "tests/stability/cases/stability_case.h"
-#include "train/fit/mlp_objective.h"
-#include "train/fit/warp_objective.h"
+#include "train/fit/objective/mlp_objective.h"
+#include "train/fit/objective/warp_objective.h"
 
 namespace warplut {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "tests/stability/cases/training/training_problem.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/rollout/noise_image.h"
 
 namespace warplut {
 namespace {

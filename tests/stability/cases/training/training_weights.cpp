@@ -8,7 +8,7 @@
 
 #include "luts/fit/head.h"
 #include "tests/stability/cases/training/training_problem.h"
-#include "train/fit/noise_image.h"
+#include "train/fit/rollout/noise_image.h"
 
 namespace warplut {
 namespace {
