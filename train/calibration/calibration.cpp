@@ -198,7 +198,7 @@ class Calibration {
     return least;
   }
 
-  // What the loss does not hang on gets the value of the base, unless that is worse than a start.
+  // What the loss does not depend on gets the value of the base, unless that is worse than a start.
   void DropWhatIsNotNeeded() {
     const double least_start = LeastStart();
     for (const CalibratedParameter& parameter : result_.parameters) {

@@ -7,7 +7,7 @@
 namespace warplut {
 namespace {
 
-// A loss that moves less over a step does not hang on the coordinate.
+// A loss that moves less over a step does not depend on the coordinate.
 constexpr double kNoDependence = 1e-12;
 
 // The residuals around a point; null where the log has stopped.

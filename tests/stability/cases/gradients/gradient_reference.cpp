@@ -26,7 +26,7 @@ struct ComplexPlane {
   }
 };
 
-// What leaves [0, 1] is limited to it and hangs on nothing any more.
+// What leaves [0, 1] is limited to it and depends on nothing any more.
 Complex Limited(const Complex& value) {
   if (value.real() <= 0) return 0;
   return value.real() >= 1 ? Complex(1) : value;
@@ -53,7 +53,7 @@ ComplexPlane Warped(const ComplexPlane& in, const RolloutStep& step,
   return out;
 }
 
-// The derivative is refreshed with samples of zero: what enters from outside hangs on no weight.
+// The derivative is refreshed with samples of zero: what enters from outside depends on no weight.
 ComplexPlane Refreshed(ComplexPlane warped, const FrameSamples& frame) {
   BorderedPlane value(warped.width, warped.height), derivative = value, new_value = value,
                                                     new_derivative = value;

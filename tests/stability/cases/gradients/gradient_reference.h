@@ -24,9 +24,9 @@ double Dot(const CanonicalWeights<double>& a, const CanonicalWeights<double>& b)
 std::vector<Complex> ReferenceLosses(const Rollout& rollout, const BorderedPlane& target,
                                      const ComplexWeights& weights);
 
-// The derivative of L(weights) in the direction. L hangs on the mean losses of the protocols, whose
-// derivatives are exact, by a power mean, derived by fourth-order differences at the losses that
-// the objective computes.
+// The derivative of L(weights) in the direction. L depends on the mean losses of the protocols,
+// whose derivatives are exact, by a power mean, derived by fourth-order differences at the losses
+// that the objective computes.
 double ReferenceDerivative(const Objective& objective, const CanonicalWeights<double>& weights,
                            const CanonicalWeights<double>& direction);
 

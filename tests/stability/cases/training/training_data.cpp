@@ -41,7 +41,8 @@ std::string Losses(const Fit& fit) {
 
 }  // namespace
 
-// Crops go round the images, at places that hang on the seed alone: the same crops of either copy.
+// Crops go round the images, at places that depend on the seed alone: the same crops of either
+// copy.
 StabilityResult TrainOnDuplicates(StabilityEffort effort) {
   const TrainImage image = Noise(kCropSize + 16, 1);
   const Fit single = Train(SmallOptions(effort), {image}).fit;
