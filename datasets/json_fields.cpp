@@ -107,6 +107,10 @@ double JsonPlace::Number(const json& value) const {
 
 int JsonPlace::Integer(const json& value) const {
   constexpr auto kMax = std::numeric_limits<int>::max();
+  if (value.is_number_float()) {  // programs that know one kind of number write 480.0
+    const double number = value.get<double>();
+    if (std::trunc(number) == number && std::abs(number) <= kMax) return static_cast<int>(number);
+  }
   if (!value.is_number_integer()) Refuse(value, "a whole number");
   if (value.is_number_unsigned() ? value.get<std::uint64_t>() > kMax
                                  : value.get<std::int64_t>() < -std::int64_t{kMax}) {

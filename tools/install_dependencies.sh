@@ -13,7 +13,7 @@ packages="
   g++ cmake ninja-build
   libceres-dev libeigen3-dev
   libopencv-dev
-  libopenimageio-dev openimageio-tools
+  libopenimageio-dev openimageio-tools zlib1g-dev
   libembree-dev libtbb-dev
   libhwy-dev
   libopenmpi-dev openmpi-bin

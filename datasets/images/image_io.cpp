@@ -19,6 +19,7 @@
 #include "datasets/images/exr_header.h"
 #include "datasets/images/flo_file.h"
 #include "datasets/images/image_message.h"
+#include "datasets/images/png_chunks.h"
 #include "datasets/text_case.h"
 
 namespace warplut {
@@ -141,6 +142,7 @@ OpenPart Open(const fs::path& path, const std::vector<std::string>& channels, bo
   if (!fs::is_regular_file(status)) RefuseImage(path, "it is not a regular file");
 
   CheckExrHeader(path);
+  CheckPngChunks(path, false);
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);  // alpha and colour as stored
   OpenPart open;
@@ -257,6 +259,7 @@ bool ReadRows(const OpenPart& open, int y, int rows, int begin, int end, OIIO::T
 // The wanted channels of the data window, in memory that grows with what was read. Integers of
 // OpenEXR are numbers, not shares of the largest.
 Image ReadPart(const fs::path& path, const OpenPart& open) {
+  CheckPngChunks(path, true);
   const OIIO::ImageSpec& spec = open.spec;
   const bool is_exr = IsOpenExr(*open.input);
   const auto is_number = [&](int c) {

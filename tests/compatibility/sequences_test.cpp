@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "datasets/sequence.h"
+#include "datasets/sequence/sequence.h"
 #include "train/replay/parameters_file.h"
 
 namespace warplut {

@@ -45,6 +45,17 @@ TEST(ParseJson, BoundsTheMagnitudeOfNumbers) {
   }
 }
 
+TEST(JsonPlace, TakesWholeNumbersHoweverTheyAreWritten) {
+  const JsonPlace place("a.json", "n");
+  for (const char* text : {"480", "480.0", "4.8e2"}) {
+    EXPECT_EQ(place.Integer(ParseJson(text, "a.json")), 480) << text;
+  }
+  EXPECT_EQ(place.Integer(ParseJson("-2147483647.0", "a.json")), -2147483647);
+  for (const char* text : {"480.5", "1e-3", "3e9", "-3e9", "1e38", "3000000000", "\"480\""}) {
+    ExpectError([&] { place.Integer(ParseJson(text, "a.json")); }, {"'n'", "whole number"});
+  }
+}
+
 TEST(ReadJson, BoundsTheSize) {
   const TemporaryFolder folder;
   WriteFile(folder / "a.json", R"({"a": 1})");

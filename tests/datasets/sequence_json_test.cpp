@@ -197,7 +197,7 @@ TEST_F(ReadSequenceTest, MissingAndUnknownFieldsAreNamed) {
 TEST_F(ReadSequenceTest, TypesAndNamesAreChecked) {
   Refused("/format", "other", {"'format'", "\"other\"", "warplut-sequence"});
   Refused("/version", 3, {"'version'", "is 3", "expected 1 or 2"});
-  Refused("/version", 1.0, {"'version'", "whole number"});
+  Refused("/version", 1.5, {"'version'", "whole number"});
   Refused("/name", 3, {"'name'", "text"});
   Refused("/frames/count", 2.5, {"'frames.count'", "2.5", "whole number"});
   Refused("/frames/count", 1e18, {"'frames.count'"});
