@@ -2,8 +2,8 @@
 # Installs what is missing, builds and runs every test. The last line is 'N passed, N failed, N
 # skipped'. usage: tools/test.sh [--full | --sanitizers | --arm64]
 #   --full         also builds the runtime alone and tests its core, tests what reads files and what
-#                  a renderer calls under the sanitizers, and runs the fuzzers if clang++ is there:
-#                  continuous integration
+#                  a renderer calls under the sanitizers, and runs the fuzzers and clang-tidy on what
+#                  changed if they are there: continuous integration
 #   --sanitizers   instead builds and runs every test program under the sanitizers
 #   --arm64        instead builds the runtime alone for 64-bit ARM and runs its tests in QEMU
 # A build that fails counts as one failed test. Tests on recorded sequences run if WARPLUT_DATA
@@ -21,6 +21,7 @@ esac
 
 jobs=$(nproc)
 fuzz_seconds=15 # of each target
+tidy_sources=6  # each takes half a minute
 # All but the command line, which would compile the whole program once more.
 fuzz_targets="fit image manifest motion packed_png parameters table_exr table_json"
 # Tests of a smaller build that leaves them out, and those that the first build has run already.
@@ -104,6 +105,8 @@ fi
 configure_and_build ci
 run_tests ci
 if [ "$what" = --full ]; then
+  step "clang-tidy"
+  if tools/tidy.sh HEAD~1 "$tidy_sources"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
   configure_and_build runtime-only warplut_runtime chained_example test_contract test_runtime
   run_tests runtime-only --exclude-regex "$elsewhere"
   configure_and_build asan-ubsan test_compatibility test_datasets test_fuzz test_generation test_luts \

@@ -244,7 +244,7 @@ int BandRows(const OIIO::ImageSpec& spec, std::size_t row_bytes) {
 }
 
 // The channels from `begin` to `end` of `rows` rows from row `y` of the data window.
-bool ReadRows(const OpenPart& open, int y, int rows, int begin, int end, OIIO::TypeDesc type,
+bool ReadRows(const OpenPart& open, int y, int rows, int begin, int end, const OIIO::TypeDesc& type,
               void* values) {
   const OIIO::ImageSpec& spec = open.spec;
   const int first = spec.y + y;
@@ -352,7 +352,7 @@ ImageInfo ReadImageInfo(const fs::path& path, const std::vector<std::string>& ch
 Image ReadImage(const fs::path& path, const std::vector<std::string>& channels, Values accepted) {
   if (HasExtension(path, ".flo")) {
     const std::vector<int> wanted = FloChannels(path, channels);
-    const Image image = TakeChannels(ReadFlo(path), wanted);
+    Image image = TakeChannels(ReadFlo(path), wanted);
     CheckValues(path, image, wanted, kFloChannels, accepted);
     return image;
   }
