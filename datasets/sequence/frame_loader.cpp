@@ -182,6 +182,12 @@ class FrameReader {
   int number_;
 };
 
+void DivideOut(double exposure, Image* image) {
+  if (exposure == 1) return;
+  const auto factor = static_cast<float>(1 / exposure);
+  for (float& value : image->data) value *= factor;
+}
+
 void CheckIndex(const Sequence& s, int index) {
   if (index < 0 || index >= s.count) {
     throw Error(fmt::format("the sequence '{}' has no frame at index {}; expected 0 to {}", s.name,
@@ -344,6 +350,7 @@ Frame LoadFrame(const Sequence& s, int index, Streams which) {
   }
   if (wants(Streams::kReactive)) frame.reactive = reader.Mask(*s.reactive, render);
   if (wants(Streams::kHud)) frame.hud = reader.Layer(*s.hud, s.output);
+  for (Image* image : {&frame.color, &frame.reference}) DivideOut(s.Exposure(index), image);
   return frame;
 }
 

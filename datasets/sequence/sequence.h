@@ -29,7 +29,8 @@ struct Sequence {
   static constexpr const char* kManifest = "sequence.json";
   static constexpr double kMinScale = 1, kMaxScale = 4;  // output / render, in each axis
   static constexpr int kMaxFrames = 1'000'000;
-  static constexpr double kMaxJitter = 1;  // render pixels, in each axis
+  static constexpr double kMaxJitter = 1;          // render pixels, in each axis
+  static constexpr double kMaxExposure = 1 << 20;  // and its inverse is the least
 
   std::filesystem::path folder;  // what the streams' paths are relative to; not stored
   std::string name;              // not empty, no '/' and no control characters
@@ -41,6 +42,9 @@ struct Sequence {
   // Of each frame where they vary (dynamic resolution), at most `render`; empty: all are `render`.
   std::vector<GridSize> render_sizes;
   ColorSpace color_space = ColorSpace::kSrgb;
+  // Of each frame, of linear colour: what the light was multiplied by in the files of its colour
+  // and its reference. Empty: by the same.
+  std::vector<double> exposures;
 
   ColorStream color;
   std::optional<DepthStream> depth;
@@ -62,6 +66,11 @@ struct Sequence {
   int LastNumber() const { return Number(count - 1); }
   GridSize RenderSize(int index) const {
     return render_sizes.empty() ? render : render_sizes[static_cast<std::size_t>(index)];
+  }
+
+  // Relative to the first frame.
+  double Exposure(int index) const {
+    return exposures.empty() ? 1 : exposures[static_cast<std::size_t>(index)] / exposures.front();
   }
 
   // Whether a field is used that version 1 of the manifest lacks.
@@ -99,7 +108,8 @@ std::string SequenceJson(const Sequence& sequence);
 //
 // Reads the streams `which` of the frame at `index` (0 to count - 1), converted to the convention
 // of datasets/frame.h as datasets/encoding.h describes; only their files are opened. Grey colour is
-// copied to R, G and B; alpha is dropped. Number, cut, jitter and camera are always set. Frame 0 is
+// copied to R, G and B; alpha is dropped. Colours are brought to
+// the exposure of the first frame. Number, cut, jitter and camera are always set. Frame 0 is
 // a cut only where the manifest says so; what runs over frames takes it as one
 // (train/replay/clip.h).
 //

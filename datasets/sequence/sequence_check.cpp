@@ -85,6 +85,23 @@ void CheckRenderSizes(const Sequence& s) {
   }
 }
 
+void CheckExposures(const Sequence& s) {
+  if (s.exposures.empty()) return;
+  if (s.color_space != ColorSpace::kLinear) {
+    Refuse("exposures", "is there, and the colour is srgb; expected linear colour");
+  }
+  if (s.exposures.size() != static_cast<std::size_t>(s.count)) {
+    Refuse("exposures", fmt::format("has {} values; expected one for each of the {} frames",
+                                    s.exposures.size(), s.count));
+  }
+  for (std::size_t i = 0; i < s.exposures.size(); ++i) {
+    const double exposure = s.exposures[i];
+    Check(exposure >= 1 / Sequence::kMaxExposure && exposure <= Sequence::kMaxExposure,
+          fmt::format("exposures[{}]", i), exposure,
+          fmt::format("1 / {0} to {0}", Sequence::kMaxExposure));
+  }
+}
+
 void CheckPattern(const std::string& pattern, const std::string& field) {
   std::string why;
   if (!IsFramePattern(pattern, &why)) Refuse(field, fmt::format("(\"{}\") {}", pattern, why));
@@ -247,6 +264,7 @@ void CheckSequence(const Sequence& s) {
   if (s.reactive) CheckMask(*s.reactive, "streams.reactive");
   if (s.hud) CheckLayer(*s.hud, "streams.hud");
   CheckRenderSizes(s);
+  CheckExposures(s);
   CheckJitter(s.jitter);
   CheckCamera(s);
   CheckCuts(s);
@@ -259,7 +277,7 @@ bool Sequence::UsesVersion2() const {
     return m && (m->direction == MotionDirection::kCurrentToNext || m->frame_offset != 0 ||
                  m->contains_jitter);
   };
-  return !numbers.empty() || reactive || hud || !render_sizes.empty() ||
+  return !numbers.empty() || reactive || hud || !render_sizes.empty() || !exposures.empty() ||
          (depth && depth->background) || (reference_depth && reference_depth->background) ||
          stored_apart(motion) || stored_apart(reference_motion);
 }

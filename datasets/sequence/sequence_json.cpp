@@ -204,6 +204,15 @@ std::vector<Vec2> TakeJitter(JsonFields fields) {
   return jitter;
 }
 
+std::vector<double> TakeExposures(const nlohmann::json& value, const JsonPlace& at) {
+  std::vector<double> exposures;
+  for (const auto& element : at.Array(value)) {
+    exposures.push_back(at.Element(exposures.size()).Number(element));
+  }
+  if (exposures.empty()) at.Fail("has no values; expected one for each frame, or no such field");
+  return exposures;
+}
+
 std::array<double, 16> TakeMatrix(JsonFields& fields, const char* name) {
   std::array<double, 16> matrix;
   const auto& values = fields.At(name).Array(fields.Take(name), matrix.size());
@@ -274,6 +283,9 @@ Sequence ReadSequence(const std::filesystem::path& path) {
     s.render_sizes = TakeRenderSizes(root.Take("render_sizes"), root.At("render_sizes"));
   }
   s.color_space = root.OneOf("color_space", kColorSpaces);
+  if (root.Has("exposures")) {
+    s.exposures = TakeExposures(root.Take("exposures"), root.At("exposures"));
+  }
   TakeStreams(root.Object("streams"), &s);
   if (root.Has("jitter")) s.jitter = TakeJitter(root.Object("jitter"));
   if (root.Has("camera")) {

@@ -123,6 +123,7 @@ std::string SequenceJson(const Sequence& s) {
     add("render_sizes", JsonText(sizes));
   }
   add("color_space", JsonText(Json(NameOf(kColorSpaces, s.color_space))));
+  if (!s.exposures.empty()) add("exposures", JsonText(Json(s.exposures)));
   add("streams", Lines(StreamsJson(s)));
   if (!s.jitter.empty()) {
     Json offsets = Json::array();

@@ -167,5 +167,52 @@ TEST_F(MaskStream, RenderSizesVaryFromFrameToFrame) {
   ExpectError([&] { LoadFrame(other, 1, Streams::kColor); }, {"30 x 20; expected 31 x 20"});
 }
 
+TEST_F(MaskStream, FramesAreBroughtToTheExposureOfTheFirst) {
+  PanOptions options = Options();
+  options.color_space = ColorSpace::kLinear;
+  Sequence s = Write(options);
+  const Streams colors = Streams::kColor | Streams::kReference;
+  const Frame first = LoadFrame(s, 0, colors), stored = LoadFrame(s, 1, colors);
+  s.exposures = {0.5, 2};
+  EXPECT_TRUE(s.UsesVersion2());
+  WriteFile(folder_ / "pan" / "exposed.json", SequenceJson(s));
+  const Sequence exposed = ReadSequence(folder_ / "pan" / "exposed.json");
+  EXPECT_EQ(exposed.exposures, s.exposures);
+  EXPECT_EQ(LoadFrame(exposed, 0, colors).color.data, first.color.data);
+  const Frame frame = LoadFrame(exposed, 1, colors | Streams::kHud);
+  for (const auto& [read, file] :
+       {std::pair(&frame.color, &stored.color), std::pair(&frame.reference, &stored.reference)}) {
+    for (std::size_t i = 0; i < read->data.size(); ++i) {
+      ASSERT_EQ(read->data[i], file->data[i] / 4) << i;
+    }
+  }
+  EXPECT_EQ(frame.hud.data, LoadFrame(s, 1, Streams::kHud).hud.data);
+}
+
+TEST_F(MaskStream, ExposuresAreChecked) {
+  PanOptions options = Options();
+  options.color_space = ColorSpace::kLinear;
+  const Sequence s = Write(options);
+  const auto refused = [&](const std::vector<double>& exposures, ColorSpace space,
+                           const std::string& piece) {
+    Sequence other = s;
+    other.exposures = exposures;
+    other.color_space = space;
+    std::string why;
+    EXPECT_FALSE(other.IsValid(&why));
+    EXPECT_NE(why.find("exposures"), std::string::npos) << why;
+    EXPECT_NE(why.find(piece), std::string::npos) << why;
+  };
+  refused({1}, ColorSpace::kLinear, "has 1 values; expected one for each of the 2 frames");
+  refused({1, 0}, ColorSpace::kLinear, "exposures[1]' is 0; expected 1 / 1048576 to 1048576");
+  refused({-1, 1}, ColorSpace::kLinear, "is -1");
+  refused({1, 2e6}, ColorSpace::kLinear, "is 2000000");
+  refused({1, 1}, ColorSpace::kSrgb, "expected linear colour");
+  const std::string field = "\"color_space\": \"linear\"";
+  ExpectError([&] { Rewritten(field, field + ", \"exposures\": []"); }, {"exposures", "no values"});
+  ExpectError([&] { Rewritten(field, field + ", \"exposures\": [1, \"2\"]"); },
+              {"exposures[1]", "expected a number"});
+}
+
 }  // namespace
 }  // namespace warplut

@@ -38,5 +38,5 @@ for scale in "$@"; do
   # shellcheck disable=SC2086  # size is a list of words
   "$warplut" train --objective "$objective" $size --scale "$scale" --data "$out"/training/* --out "luts/fits/$name.json"
   "$warplut" bake "luts/fits/$name.json" --out luts/baked
-  rm -f "luts/baked/$name.png"
+  for other in png bin dds ktx2 glsl hlsl test.json; do rm -f "luts/baked/$name.$other"; done
 done
