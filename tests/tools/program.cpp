@@ -89,7 +89,7 @@ ProgramResult RunProgram(const std::string& program, const std::vector<std::stri
       const rlimit limit = {.rlim_cur = bytes, .rlim_max = bytes};
       setrlimit(RLIMIT_FSIZE, &limit);
     }
-    execv(argv[0], argv.data());
+    execvp(argv[0], argv.data());
     _exit(127);
   }
   if (!setup.signal_when.empty()) {
