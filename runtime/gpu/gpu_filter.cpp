@@ -26,9 +26,9 @@ PrefilterNumbers NumbersOf(const Prefilter& prefilter, int width, int height, bo
 
 }  // namespace
 
-int AddTableImage(const WarpOptions& warp, GpuResources& resources) {
+int AddTableImage(const WarpOptions& warp, GpuWorkspace& workspace) {
   const int nodes = FilterOf(warp) == Filter::kLut ? kTableNodes : 1;
-  return resources.AddImage(VK_FORMAT_R32G32B32A32_SFLOAT, nodes, nodes, LayersOf(warp));
+  return workspace.AddImage({TexelFormat::kRgba32F, nodes, nodes, LayersOf(warp)});
 }
 
 // As luts/bake/table_texture.h.
@@ -60,7 +60,7 @@ void AppendFilterConstants(const WarpOptions& warp, bool prefiltered,
 }
 
 PrefilterPasses::PrefilterPasses(const Prefilter& prefilter, int width, int height,
-                                 const std::vector<Images>& sets, PassSequence& passes) {
+                                 const std::vector<Images>& sets, GpuWorkspace& workspace) {
   if (!HasPrefilter(prefilter)) return;
   PassPlan plan = {.shader = Shader::kPrefilter,
                    .constants = {prefilter.kind == PrefilterKind::kRecursive ? 1 : 0},
@@ -72,23 +72,22 @@ PrefilterPasses::PrefilterPasses(const Prefilter& prefilter, int width, int heig
   plan.width = height;
   plan.height = width;
   for (const Images& images : sets)
-    plan.sets.push_back({Sampled(images.samples), Stored(images.columns)});
-  columns_ = passes.Add(plan);
+    plan.sets.push_back({Stored(images.columns), Sampled(images.samples)});
+  columns_ = workspace.AddPass(plan);
   plan.name = "prefilter rows";
   plan.width = width;
   plan.height = height;
   plan.sets.clear();
   for (const Images& images : sets)
-    plan.sets.push_back({Sampled(images.columns), Stored(images.coefficients)});
-  rows_ = passes.Add(plan);
+    plan.sets.push_back({Stored(images.coefficients), Sampled(images.columns)});
+  rows_ = workspace.AddPass(plan);
   along_y_ = NumbersOf(prefilter, width, height, false);
   along_x_ = NumbersOf(prefilter, width, height, true);
 }
 
-void PrefilterPasses::Record(VkCommandBuffer commands, std::size_t set,
-                             PassSequence& passes) const {
-  passes.Record(commands, columns_, &along_y_, set);
-  passes.Record(commands, rows_, &along_x_, set);
+void PrefilterPasses::Record(std::size_t set, GpuWorkspace& workspace) const {
+  workspace.Record(columns_, &along_y_, set);
+  workspace.Record(rows_, &along_x_, set);
 }
 
 }  // namespace warplut

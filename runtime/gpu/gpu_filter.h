@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "runtime/gpu/frame_numbers.h"
-#include "runtime/gpu/pass_sequence.h"
+#include "runtime/gpu/gpu_workspace.h"
 #include "runtime/warp.h"
 
 namespace warplut {
 
 // Adds the image of the table of the filter, one texel where it has none.
-int AddTableImage(const WarpOptions& warp, GpuResources& resources);
-// Its texels, of R32G32B32A32_SFLOAT; none where the filter has no table.
+int AddTableImage(const WarpOptions& warp, GpuWorkspace& workspace);
+// Its texels, of rgba32f; none where the filter has no table.
 std::vector<float> TableTexels(const WarpOptions& warp);
 
 // The number that FilterWeights needs beside the offset.
@@ -30,10 +30,10 @@ class PrefilterPasses {
     int samples, columns, coefficients;
   };
   PrefilterPasses(const Prefilter& prefilter, int width, int height,
-                  const std::vector<Images>& sets, PassSequence& passes);
+                  const std::vector<Images>& sets, GpuWorkspace& workspace);
 
   // Nothing where there is no prefilter.
-  void Record(VkCommandBuffer commands, std::size_t set, PassSequence& passes) const;
+  void Record(std::size_t set, GpuWorkspace& workspace) const;
 
  private:
   int columns_ = -1, rows_ = -1;

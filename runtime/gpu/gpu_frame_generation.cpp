@@ -34,25 +34,31 @@ struct KindOfFrame {
 
 }  // namespace
 
+std::size_t SplatKeyBytes(const FrameGenerationOptions& options) {
+  const std::size_t pixels = Splats(options) ? static_cast<std::size_t>(options.width) *
+                                                   static_cast<std::size_t>(options.height)
+                                             : 1;
+  return pixels * sizeof(generation::SplatKey);
+}
+
 struct GpuFrameGeneration::State {
-  State(const VulkanDevice& vulkan, const FrameGenerationOptions& chosen, PixelFormat texels,
+  State(const GpuDevice& device, const FrameGenerationOptions& chosen, PixelFormat texels,
         const InputConventions& stored);
 
   bool Encodes() const { return EncodingOf(options) == ColorEncoding::kLinearHdr; }
   // What is warped of a frame.
   int Samples(const Slot& slot) const { return Encodes() ? slot.codes : slot.color; }
-  int AddInput(int image);
   void AddResources();
   void AddSharedPasses();
   const KindOfFrame& PassesOf(bool interpolates);
   std::vector<std::int32_t> Constants(bool interpolates, bool keeps_depth) const;
-  // One list for each order of the slots: frames 0 and 1, or 1 and 0.
-  std::vector<std::vector<Binding>> Sets(const std::vector<int Slot::*>& of_frames,
-                                         bool generates) const;
+  // One list for each order of the slots: frames 0 and 1, or 1 and 0. Splatting takes the first
+  // bindings of those that generating takes.
+  std::vector<std::vector<Binding>> Sets(bool generates) const;
   std::size_t Find(const DisplayedFrame& frame, bool needs_color) const;
   MotionView Filtered(const DisplayedFrame& frame);
   void Upload(const DisplayedFrame& frame, Slot& slot);
-  void RecordFrame(VkCommandBuffer commands, std::size_t slot);
+  void RecordFrame(std::size_t slot);
   GenerationNumbers NumbersOf(const DisplayedFrame& frame0, float alpha) const;
   void Show(const ImageView& color, const MutableImageView& out) const;
   // By the processor.
@@ -64,8 +70,7 @@ struct GpuFrameGeneration::State {
   PixelFormat format;
   InputConventions conventions;
   Prefilter prefilter;
-  GpuResources resources;
-  PassSequence passes;
+  std::unique_ptr<GpuWorkspace> gpu;
   PrefilterPasses filter_passes;
   int encode = -1;
   std::array<KindOfFrame, 2> kinds;  // extrapolation, interpolation; made when they are needed
@@ -79,65 +84,51 @@ struct GpuFrameGeneration::State {
   int table_bytes, generated_bytes;
 };
 
-GpuFrameGeneration::State::State(const VulkanDevice& vulkan, const FrameGenerationOptions& chosen,
+GpuFrameGeneration::State::State(const GpuDevice& device, const FrameGenerationOptions& chosen,
                                  PixelFormat texels, const InputConventions& stored)
     : options(chosen),
       format(texels),
       conventions(stored),
       prefilter(PrefiltersFrames(chosen) ? PrefilterOf(chosen.warp) : Prefilter{}),
-      resources(vulkan),
-      passes(vulkan, resources, texels) {
+      gpu(device.MakeWorkspace(texels)) {
   AddResources();
   AddSharedPasses();
-  passes.Run([&](VkCommandBuffer recorded) {
-    for (const GpuImage& image : resources.images()) PrepareImage(recorded, image);
-    CopyToImage(recorded, resources.buffer(table_bytes), resources.image(table));
-  });
-}
-
-// The buffer from which an image is filled.
-int GpuFrameGeneration::State::AddInput(int image) {
-  const GpuImage& of = resources.image(image);
-  return resources.AddBuffer(TexelBytes(of.format) * static_cast<std::size_t>(of.width) *
-                             static_cast<std::size_t>(of.height) *
-                             static_cast<std::size_t>(std::max(of.layers, 1)));
+  gpu->Run([&] { gpu->CopyToImage(table_bytes, table); });
 }
 
 // Images that the options do without are one texel: shaders name them, and do not read them.
 void GpuFrameGeneration::State::AddResources() {
   const int width = options.width, height = options.height;
-  const VkFormat texels = VulkanFormat(format);
+  const TexelFormat texels = TexelFormatOf(format);
   const bool filters = HasPrefilter(prefilter);
-  const auto image = [&](bool is_needed, VkFormat of) {
-    return resources.AddImage(of, is_needed ? width : 1, is_needed ? height : 1);
+  const auto image = [&](bool is_needed, TexelFormat of) {
+    return gpu->AddImage({of, is_needed ? width : 1, is_needed ? height : 1});
   };
   for (Slot& slot : slots) {
     slot.color = image(true, conventions.color_format);
-    slot.depth = image(true, VK_FORMAT_R32_SFLOAT);
+    slot.depth = image(true, TexelFormat::kR32F);
     slot.motion = image(true, conventions.motion_format);
     slot.codes = image(Encodes(), texels);
     slot.coefficients = image(filters, texels);
-    slot.color_bytes = AddInput(slot.color);
-    slot.depth_bytes = AddInput(slot.depth);
-    slot.motion_bytes = AddInput(slot.motion);
+    slot.color_bytes = gpu->AddBufferOf(slot.color);
+    slot.depth_bytes = gpu->AddBufferOf(slot.depth);
+    slot.motion_bytes = gpu->AddBufferOf(slot.motion);
   }
   columns = image(filters, texels);
   generated = image(true, texels);
-  table = AddTableImage(options.warp, resources);
-  table_bytes = AddInput(table);
-  generated_bytes = AddInput(generated);
-  const std::size_t pixels =
-      Splats(options) ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 1;
-  keys = resources.AddBuffer(pixels * sizeof(generation::SplatKey), true);
-  resources.Allocate();
+  table = AddTableImage(options.warp, *gpu);
+  table_bytes = gpu->AddBufferOf(table);
+  generated_bytes = gpu->AddBufferOf(generated);
+  keys = gpu->AddBuffer({SplatKeyBytes(options), true});
+  gpu->Allocate();
   const std::vector<float> nodes = TableTexels(options.warp);
-  std::memcpy(resources.buffer(table_bytes).bytes, nodes.data(), nodes.size() * sizeof(float));
+  std::memcpy(gpu->BytesOf(table_bytes), nodes.data(), nodes.size() * sizeof(float));
 }
 
 void GpuFrameGeneration::State::AddSharedPasses() {
   std::vector<PrefilterPasses::Images> filtering;
   for (const Slot& slot : slots) filtering.push_back({Samples(slot), columns, slot.coefficients});
-  filter_passes = PrefilterPasses(prefilter, options.width, options.height, filtering, passes);
+  filter_passes = PrefilterPasses(prefilter, options.width, options.height, filtering, *gpu);
   if (!Encodes()) return;
   PassPlan plan = {.name = "encode",
                    .shader = Shader::kEncode,
@@ -146,8 +137,8 @@ void GpuFrameGeneration::State::AddSharedPasses() {
                    .numbers_bytes = sizeof(GenerationNumbers),
                    .width = options.width,
                    .height = options.height};
-  for (const Slot& slot : slots) plan.sets.push_back({Sampled(slot.color), Stored(slot.codes)});
-  encode = passes.Add(plan);
+  for (const Slot& slot : slots) plan.sets.push_back({Stored(slot.codes), Sampled(slot.color)});
+  encode = gpu->AddPass(plan);
 }
 
 const KindOfFrame& GpuFrameGeneration::State::PassesOf(bool interpolates) {
@@ -155,43 +146,43 @@ const KindOfFrame& GpuFrameGeneration::State::PassesOf(bool interpolates) {
   if (kind.generate >= 0) return kind;
   PassPlan plan = {.shader = Shader::kSplat,
                    .constants = {},
-                   .sets = Sets({&Slot::depth, &Slot::motion}, false),
+                   .sets = Sets(false),
                    .numbers_bytes = sizeof(GenerationNumbers),
                    .width = options.width,
                    .height = options.height};
   if (Splats(options)) {
     plan.name = "splat depth";
     plan.constants = Constants(interpolates, true);
-    kind.splat_depth = passes.Add(plan);
+    kind.splat_depth = gpu->AddPass(plan);
     plan.name = "splat source";
     plan.constants = Constants(interpolates, false);
-    kind.splat_source = passes.Add(plan);
+    kind.splat_source = gpu->AddPass(plan);
   }
   plan.name = interpolates ? "interpolate" : "extrapolate";
   plan.shader = Shader::kGenerate;
   plan.constants = Constants(interpolates, false);
-  plan.sets = Sets({&Slot::depth, &Slot::motion}, true);
-  kind.generate = passes.Add(plan);
+  plan.sets = Sets(true);
+  kind.generate = gpu->AddPass(plan);
   return kind;
 }
 
 std::vector<std::vector<Binding>> GpuFrameGeneration::State::Sets(
-    const std::vector<int Slot::*>& of_frames, bool generates) const {
+    bool generates) const {
   std::vector<std::vector<Binding>> sets;
   for (std::size_t first = 0; first < kSlots; ++first) {
     const Slot &frame0 = slots[first], &frame1 = slots[1 - first];
     std::vector<Binding>& set = sets.emplace_back();
-    for (const auto member : of_frames) {
+    set.push_back(Buffer(keys));
+    set.push_back(Stored(generated));
+    for (const auto member : {&Slot::depth, &Slot::motion}) {
       set.push_back(Sampled(frame0.*member));
       set.push_back(Sampled(frame1.*member));
     }
-    set.push_back(Buffer(keys));
     if (!generates) continue;
     for (const int image :
          {Samples(frame0), Samples(frame1), frame0.coefficients, frame1.coefficients, table}) {
       set.push_back(Sampled(image));
     }
-    set.push_back(Stored(generated));
   }
   return sets;
 }
@@ -236,22 +227,22 @@ void GpuFrameGeneration::State::Upload(const DisplayedFrame& frame, Slot& slot) 
   slot.id = frame.id;
   slot.has_color = frame.color.data != nullptr;
   if (slot.has_color) {
-    PackColor(frame.color, conventions.color_format, resources.buffer(slot.color_bytes).bytes);
+    PackColor(frame.color, conventions.color_format, gpu->BytesOf(slot.color_bytes));
   }
-  PackDepth(frame.depth, resources.buffer(slot.depth_bytes).bytes);
-  PackMotion(Filtered(frame), conventions.motion_format, resources.buffer(slot.motion_bytes).bytes);
+  PackDepth(frame.depth, gpu->BytesOf(slot.depth_bytes));
+  PackMotion(Filtered(frame), conventions.motion_format, gpu->BytesOf(slot.motion_bytes));
 }
 
 // What is made of a frame once, however many are generated from it.
-void GpuFrameGeneration::State::RecordFrame(VkCommandBuffer commands, std::size_t slot) {
+void GpuFrameGeneration::State::RecordFrame(std::size_t slot) {
   const Slot& s = slots[slot];
-  CopyToImage(commands, resources.buffer(s.depth_bytes), resources.image(s.depth));
-  CopyToImage(commands, resources.buffer(s.motion_bytes), resources.image(s.motion));
+  gpu->CopyToImage(s.depth_bytes, s.depth);
+  gpu->CopyToImage(s.motion_bytes, s.motion);
   if (!s.has_color) return;
-  CopyToImage(commands, resources.buffer(s.color_bytes), resources.image(s.color));
+  gpu->CopyToImage(s.color_bytes, s.color);
   const GenerationNumbers unused = {};
-  passes.Record(commands, encode, &unused, slot);
-  filter_passes.Record(commands, slot, passes);
+  gpu->Record(encode, &unused, slot);
+  filter_passes.Record(slot, *gpu);
 }
 
 GenerationNumbers GpuFrameGeneration::State::NumbersOf(const DisplayedFrame& frame0,
@@ -297,18 +288,18 @@ void GpuFrameGeneration::State::Generate(const DisplayedFrame& frame0, const Dis
   if (is_new0) Upload(frame0, slots[slot0]);
   if (is_new1) Upload(frame1, slots[slot1]);
   const GenerationNumbers numbers = NumbersOf(frame0, alpha);
-  passes.Run([&](VkCommandBuffer recorded) {
-    if (is_new0) RecordFrame(recorded, slot0);
-    if (is_new1) RecordFrame(recorded, slot1);
-    if (Splats(options)) FillBuffer(recorded, resources.buffer(keys), kNoArrivalWord);
+  gpu->Run([&] {
+    if (is_new0) RecordFrame(slot0);
+    if (is_new1) RecordFrame(slot1);
+    if (Splats(options)) gpu->FillBuffer(keys, kNoArrivalWord);
     for (const int pass : {kind.splat_depth, kind.splat_source, kind.generate})
-      passes.Record(recorded, pass, &numbers, slot0);
-    CopyToBuffer(recorded, resources.image(generated), resources.buffer(generated_bytes));
+      gpu->Record(pass, &numbers, slot0);
+    gpu->CopyToBuffer(generated, generated_bytes);
   });
-  UnpackColor(resources.buffer(generated_bytes).bytes, format, out);
+  UnpackColor(gpu->BytesOf(generated_bytes), format, out);
 }
 
-GpuFrameGeneration::GpuFrameGeneration(const VulkanDevice& device,
+GpuFrameGeneration::GpuFrameGeneration(const GpuDevice& device,
                                        const FrameGenerationOptions& options, PixelFormat format,
                                        const InputConventions& conventions)
     : state_(std::make_unique<State>(device, options, format, conventions)) {}
@@ -335,8 +326,8 @@ void GpuFrameGeneration::Extrapolate(const DisplayedFrame& frame0, const Display
   state_->Draw(frame1.hud, out);
 }
 
-std::vector<PassTime> GpuFrameGeneration::Times() const { return state_->passes.Times(); }
+std::vector<PassTime> GpuFrameGeneration::Times() const { return state_->gpu->Times(); }
 
-std::size_t GpuFrameGeneration::MemoryBytes() const { return state_->resources.bytes(); }
+std::size_t GpuFrameGeneration::MemoryBytes() const { return state_->gpu->bytes(); }
 
 }  // namespace warplut

@@ -10,7 +10,7 @@
 
 #include "runtime/frame_generation.h"
 #include "runtime/gpu/input_conventions.h"
-#include "runtime/gpu/pass_sequence.h"
+#include "runtime/gpu/gpu_workspace.h"
 
 namespace warplut {
 
@@ -20,19 +20,22 @@ constexpr PixelFormat GeneratedFormat(PixelFormat color) {
   return color == PixelFormat::kRgba32F ? PixelFormat::kRgba32F : PixelFormat::kRgba16F;
 }
 
+// Bytes of what arrives at the pixels of a frame; of one pixel where the options do not splat.
+std::size_t SplatKeyBytes(const FrameGenerationOptions& options);
+
 class GpuFrameGeneration {
  public:
   // Whether the GPU has passes for the options, whose IsValid holds: a motion model of choices.h,
-  // and no peer. Also false where the device cannot hold the images. *why (if not null) is a
+  // and no peer. Also false where the device cannot hold the images or the keys. *why (if not null) is a
   // sentence.
-  static bool IsRunnable(const VulkanDevice& device, const FrameGenerationOptions& options,
+  static bool IsRunnable(const GpuDevice& device, const FrameGenerationOptions& options,
                          std::string* why = nullptr);
 
   // Runnable options; `format` is kRgba16F or kRgba32F, that of codes, coefficients and generated
   // frames. The table is copied. The motion filter runs on the processor, before the upload; with
-  // it the conventions must be the default ones. The device outlives the object. A GpuError where
+  // it the conventions must be the default ones, without it valid ones. The device outlives the object. A GpuError where
   // memory cannot be had.
-  GpuFrameGeneration(const VulkanDevice& device, const FrameGenerationOptions& options,
+  GpuFrameGeneration(const GpuDevice& device, const FrameGenerationOptions& options,
                      PixelFormat format, const InputConventions& conventions = {});
   ~GpuFrameGeneration();
 

@@ -3,7 +3,6 @@
 #include "runtime/configuration/chosen.h"
 #include "runtime/gpu/gpu_frame_generation.h"
 #include "runtime/gpu/gpu_super_resolution.h"
-#include "runtime/gpu/vulkan_resources.h"
 
 namespace warplut {
 namespace {
@@ -17,7 +16,7 @@ constexpr const char* kNoPeers =
     "the options name a peer; the GPU has the passes of super resolution and frame generation";
 
 // Whether the device holds images of this size and stores to those of the formats.
-bool Holds(const VulkanDevice& device, int width, int height, PixelFormat format,
+bool Holds(const GpuDevice& device, int width, int height, PixelFormat format,
            std::string* why) {
   // Positions are whole numbers below 2^31 (shaders/super_resolution.glsl).
   constexpr int kLargestExact = 1 << 14;
@@ -28,10 +27,10 @@ bool Holds(const VulkanDevice& device, int width, int height, PixelFormat format
                        std::to_string(most),
                    why);
   }
-  for (const VkFormat needed : {VulkanFormat(format), VK_FORMAT_R32_SFLOAT}) {
+  for (const TexelFormat needed : {TexelFormatOf(format), TexelFormat::kR32F}) {
     if (!device.CanStore(needed)) {
       return Refused("the device " + device.name() + " cannot store images of the format " +
-                         std::to_string(needed) + " of Vulkan, which the passes need",
+                         Name(needed) + ", which the passes need",
                      why);
     }
   }
@@ -40,7 +39,7 @@ bool Holds(const VulkanDevice& device, int width, int height, PixelFormat format
 
 }  // namespace
 
-bool GpuSuperResolution::IsRunnable(const VulkanDevice& device,
+bool GpuSuperResolution::IsRunnable(const GpuDevice& device,
                                     const SuperResolutionOptions& options, std::string* why) {
   if (options.peer != nullptr) return Refused(kNoPeers, why);
   if (options.reactive) {
@@ -56,7 +55,7 @@ bool GpuSuperResolution::IsRunnable(const VulkanDevice& device,
   return Holds(device, options.output_width, options.output_height, format, why);
 }
 
-bool GpuFrameGeneration::IsRunnable(const VulkanDevice& device,
+bool GpuFrameGeneration::IsRunnable(const GpuDevice& device,
                                     const FrameGenerationOptions& options, std::string* why) {
   if (options.peer != nullptr) return Refused(kNoPeers, why);
   const MotionModel model = ModelOf(options);
@@ -66,7 +65,15 @@ bool GpuFrameGeneration::IsRunnable(const VulkanDevice& device,
                        "; the GPU has linear, quadratic and perspective",
                    why);
   }
-  return Holds(device, options.width, options.height, PixelFormat::kRgba32F, why);
+  if (!Holds(device, options.width, options.height, PixelFormat::kRgba32F, why)) return false;
+  const std::size_t keys = SplatKeyBytes(options);
+  if (keys > device.largest_buffer()) {
+    return Refused("the keys of splatting take " + std::to_string(keys) + " bytes; the device " +
+                       device.name() + " takes buffers of at most " +
+                       std::to_string(device.largest_buffer()),
+                   why);
+  }
+  return true;
 }
 
 }  // namespace warplut

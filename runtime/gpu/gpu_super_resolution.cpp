@@ -13,7 +13,7 @@
 namespace warplut {
 
 struct GpuSuperResolution::State {
-  State(const VulkanDevice& vulkan, const SuperResolutionOptions& chosen,
+  State(const GpuDevice& device, const SuperResolutionOptions& chosen,
         const InputConventions& stored, bool gives_geometry);
 
   // Whether what is shown differs from the history.
@@ -25,19 +25,18 @@ struct GpuSuperResolution::State {
   FrameNumbers NumbersOf(const RenderedFrame& frame) const;
   MotionView Filtered(const RenderedFrame& frame);
   void Upload(const RenderedFrame& frame);
-  void Record(VkCommandBuffer commands);
+  void Record();
   void Process(const RenderedFrame& frame, const MutableImageView& out);
   OutputGeometry Geometry();
 
-  int AddPass(const char* name, Shader shader, const std::vector<int>& sampled,
-              const std::vector<int>& stored, int width, int height, int group = 8);
+  int AddPass(const char* name, Shader shader, const std::vector<int>& stored,
+              const std::vector<int>& sampled, int width, int height, int group = 8);
 
   SuperResolutionOptions options;
   InputConventions conventions;
   bool makes_geometry;
   Prefilter prefilter;
-  GpuResources resources;
-  PassSequence passes;
+  std::unique_ptr<GpuWorkspace> gpu;
   PrefilterPasses filter_passes;
   SerialExecutor executor;  // of the motion filter
   std::unique_ptr<MotionFilter> filter;
@@ -59,14 +58,13 @@ struct GpuSuperResolution::State {
       geometry = -1;
 };
 
-GpuSuperResolution::State::State(const VulkanDevice& vulkan, const SuperResolutionOptions& chosen,
+GpuSuperResolution::State::State(const GpuDevice& device, const SuperResolutionOptions& chosen,
                                  const InputConventions& stored, bool gives_geometry)
     : options(chosen),
       conventions(stored),
       makes_geometry(gives_geometry),
       prefilter(PrefiltersHistory(chosen) ? PrefilterOf(chosen.warp) : Prefilter{}),
-      resources(vulkan),
-      passes(vulkan, resources, HistoryFormatOf(chosen)) {
+      gpu(device.MakeWorkspace(HistoryFormatOf(chosen))) {
   AddResources();
   AddPasses();
   Prepare();
@@ -76,46 +74,41 @@ GpuSuperResolution::State::State(const VulkanDevice& vulkan, const SuperResoluti
 void GpuSuperResolution::State::AddResources() {
   const int rw = options.render_width, rh = options.render_height;
   const int ow = options.output_width, oh = options.output_height;
-  const VkFormat format = VulkanFormat(HistoryFormatOf(options));
-  const auto image = [&](bool is_needed, VkFormat texels, int width, int height) {
-    return resources.AddImage(texels, is_needed ? width : 1, is_needed ? height : 1);
+  const TexelFormat format = TexelFormatOf(HistoryFormatOf(options));
+  const auto image = [&](bool is_needed, TexelFormat texels, int width, int height) {
+    return gpu->AddImage({texels, is_needed ? width : 1, is_needed ? height : 1});
   };
   const bool gates = DepthOf(options) != DepthMeasure::kNone;
   const int tiles_x = TileCount(rw, kAliasingTile), tiles_y = TileCount(rh, kAliasingTile);
   color = image(true, conventions.color_format, rw, rh);
-  depth = image(ReadsMotion(options), VK_FORMAT_R32_SFLOAT, rw, rh);
+  depth = image(ReadsMotion(options), TexelFormat::kR32F, rw, rh);
   motion = image(ReadsMotion(options), conventions.motion_format, rw, rh);
   history = image(true, format, ow, oh);
   columns = image(HasPrefilter(prefilter), format, ow, oh);
   coefficients = image(HasPrefilter(prefilter), format, ow, oh);
   box_low = image(true, format, rw, rh);
   box_high = image(true, format, rw, rh);
-  nearest = image(gates, VK_FORMAT_R32_SFLOAT, rw, rh);
-  farthest = image(gates, VK_FORMAT_R32_SFLOAT, rw, rh);
+  nearest = image(gates, TexelFormat::kR32F, rw, rh);
+  farthest = image(gates, TexelFormat::kR32F, rw, rh);
   predicted = image(true, format, ow, oh);
   residual = image(HasResidual(options), format, rw, rh);
-  variances = image(HasResidual(options), VK_FORMAT_R32_SFLOAT, tiles_x, tiles_y);
-  smoothing = image(SmoothsAliasing(options), VK_FORMAT_R32_SFLOAT, tiles_x, tiles_y);
+  variances = image(HasResidual(options), TexelFormat::kR32F, tiles_x, tiles_y);
+  smoothing = image(SmoothsAliasing(options), TexelFormat::kR32F, tiles_x, tiles_y);
   shown = image(ShowsDecoded(), format, ow, oh);
-  output_depth = image(makes_geometry, VK_FORMAT_R32_SFLOAT, ow, oh);
-  output_motion = image(makes_geometry, VK_FORMAT_R32G32B32A32_SFLOAT, ow, oh);
-  table = AddTableImage(options.warp, resources);
+  output_depth = image(makes_geometry, TexelFormat::kR32F, ow, oh);
+  output_motion = image(makes_geometry, TexelFormat::kRgba32F, ow, oh);
+  table = AddTableImage(options.warp, *gpu);
 
-  const auto bytes = [&](int i) {
-    const GpuImage& of = resources.image(i);
-    return TexelBytes(of.format) * static_cast<std::size_t>(of.width) *
-           static_cast<std::size_t>(of.height) * static_cast<std::size_t>(std::max(of.layers, 1));
-  };
-  color_bytes = resources.AddBuffer(bytes(color));
-  depth_bytes = resources.AddBuffer(bytes(depth));
-  motion_bytes = resources.AddBuffer(bytes(motion));
-  table_bytes = resources.AddBuffer(bytes(table));
-  shown_bytes = resources.AddBuffer(bytes(history));
-  output_depth_bytes = resources.AddBuffer(bytes(output_depth));
-  output_motion_bytes = resources.AddBuffer(bytes(output_motion));
-  resources.Allocate();
+  color_bytes = gpu->AddBufferOf(color);
+  depth_bytes = gpu->AddBufferOf(depth);
+  motion_bytes = gpu->AddBufferOf(motion);
+  table_bytes = gpu->AddBufferOf(table);
+  shown_bytes = gpu->AddBufferOf(history);
+  output_depth_bytes = gpu->AddBufferOf(output_depth);
+  output_motion_bytes = gpu->AddBufferOf(output_motion);
+  gpu->Allocate();
   const std::vector<float> texels = TableTexels(options.warp);
-  std::memcpy(resources.buffer(table_bytes).bytes, texels.data(), texels.size() * sizeof(float));
+  std::memcpy(gpu->BytesOf(table_bytes), texels.data(), texels.size() * sizeof(float));
 }
 
 // constant_id 0, 1, ... of shaders/super_resolution.glsl.
@@ -131,13 +124,13 @@ std::vector<std::int32_t> GpuSuperResolution::State::Constants() const {
 }
 
 int GpuSuperResolution::State::AddPass(const char* name, Shader shader,
-                                       const std::vector<int>& sampled,
-                                       const std::vector<int>& stored, int width, int height,
+                                       const std::vector<int>& stored,
+                                       const std::vector<int>& sampled, int width, int height,
                                        int group) {
   std::vector<Binding> bindings;
-  for (const int i : sampled) bindings.push_back(Sampled(i));
   for (const int i : stored) bindings.push_back(Stored(i));
-  return passes.Add({.name = name,
+  for (const int i : sampled) bindings.push_back(Sampled(i));
+  return gpu->AddPass({.name = name,
                      .shader = shader,
                      .constants = Constants(),
                      .sets = {bindings},
@@ -151,39 +144,36 @@ int GpuSuperResolution::State::AddPass(const char* name, Shader shader,
 void GpuSuperResolution::State::AddPasses() {
   const int rw = options.render_width, rh = options.render_height;
   const int ow = options.output_width, oh = options.output_height;
-  filter_passes = PrefilterPasses(prefilter, ow, oh, {{history, columns, coefficients}}, passes);
-  samples = AddPass("samples", Shader::kSamples, {color}, {box_low, box_high}, rw, rh);
+  filter_passes = PrefilterPasses(prefilter, ow, oh, {{history, columns, coefficients}}, *gpu);
+  samples = AddPass("samples", Shader::kSamples, {box_low, box_high}, {color}, rw, rh);
   predict = AddPass(
-      "predict", Shader::kPredict,
+      "predict", Shader::kPredict, {predicted},
       {color, depth, motion, history, coefficients, table, box_low, box_high, nearest, farthest},
-      {predicted}, ow, oh);
+      ow, oh);
   if (HasResidual(options)) {
-    difference = AddPass("residual", Shader::kResidual, {color, predicted}, {residual, variances},
+    difference = AddPass("residual", Shader::kResidual, {residual, variances}, {color, predicted},
                          rw, rh, kAliasingTile);
   }
   if (SmoothsAliasing(options)) {
-    const GpuImage& tiles = resources.image(smoothing);
+    const ImagePlan& tiles = gpu->image(smoothing);
     smooth =
-        AddPass("aliasing", Shader::kAliasing, {variances}, {smoothing}, tiles.width, tiles.height);
+        AddPass("aliasing", Shader::kAliasing, {smoothing}, {variances}, tiles.width, tiles.height);
   }
-  update = AddPass("update", Shader::kUpdate, {color, predicted, residual, smoothing},
-                   {history, shown}, ow, oh);
+  update = AddPass("update", Shader::kUpdate, {history, shown},
+                   {color, predicted, residual, smoothing}, ow, oh);
   if (DepthOf(options) != DepthMeasure::kNone) {
-    depth_range = AddPass("depth range", Shader::kDepthRange, {depth}, {nearest, farthest}, rw, rh);
+    depth_range = AddPass("depth range", Shader::kDepthRange, {nearest, farthest}, {depth}, rw, rh);
   }
   if (makes_geometry) {
-    geometry = AddPass("geometry", Shader::kGeometry, {depth, motion},
-                       {output_depth, output_motion}, ow, oh);
+    geometry = AddPass("geometry", Shader::kGeometry, {output_depth, output_motion},
+                       {depth, motion}, ow, oh);
     geometry_depth = ImageBuffer(ow, oh, PixelFormat::kR32F);
     geometry_motion = MotionBuffer(ow, oh);
   }
 }
 
 void GpuSuperResolution::State::Prepare() {
-  passes.Run([&](VkCommandBuffer recorded) {
-    for (const GpuImage& image : resources.images()) PrepareImage(recorded, image);
-    CopyToImage(recorded, resources.buffer(table_bytes), resources.image(table));
-  });
+  gpu->Run([&] { gpu->CopyToImage(table_bytes, table); });
 }
 
 FrameNumbers GpuSuperResolution::State::NumbersOf(const RenderedFrame& frame) const {
@@ -228,31 +218,30 @@ MotionView GpuSuperResolution::State::Filtered(const RenderedFrame& frame) {
 }
 
 void GpuSuperResolution::State::Upload(const RenderedFrame& frame) {
-  PackColor(frame.color, conventions.color_format, resources.buffer(color_bytes).bytes);
+  PackColor(frame.color, conventions.color_format, gpu->BytesOf(color_bytes));
   if (!ReadsMotion(options)) return;
-  PackDepth(frame.depth, resources.buffer(depth_bytes).bytes);
-  PackMotion(Filtered(frame), conventions.motion_format, resources.buffer(motion_bytes).bytes);
+  PackDepth(frame.depth, gpu->BytesOf(depth_bytes));
+  PackMotion(Filtered(frame), conventions.motion_format, gpu->BytesOf(motion_bytes));
 }
 
 // The order of the passes.
-void GpuSuperResolution::State::Record(VkCommandBuffer recorded) {
-  CopyToImage(recorded, resources.buffer(color_bytes), resources.image(color));
+void GpuSuperResolution::State::Record() {
+  gpu->CopyToImage(color_bytes, color);
   if (ReadsMotion(options)) {
-    CopyToImage(recorded, resources.buffer(depth_bytes), resources.image(depth));
-    CopyToImage(recorded, resources.buffer(motion_bytes), resources.image(motion));
+    gpu->CopyToImage(depth_bytes, depth);
+    gpu->CopyToImage(motion_bytes, motion);
   }
-  if (numbers.has_history != 0) filter_passes.Record(recorded, 0, passes);
+  if (numbers.has_history != 0) filter_passes.Record(0, *gpu);
   for (const int pass : {samples, predict, difference, smooth, update, depth_range})
-    passes.Record(recorded, pass, &numbers);
-  CopyToBuffer(recorded, resources.image(ShowsDecoded() ? shown : history),
-               resources.buffer(shown_bytes));
+    gpu->Record(pass, &numbers);
+  gpu->CopyToBuffer(ShowsDecoded() ? shown : history, shown_bytes);
 }
 
 void GpuSuperResolution::State::Process(const RenderedFrame& frame, const MutableImageView& out) {
   Upload(frame);
   numbers = NumbersOf(frame);
-  passes.Run([&](VkCommandBuffer recorded) { Record(recorded); });
-  UnpackColor(resources.buffer(shown_bytes).bytes, HistoryFormatOf(options), out);
+  gpu->Run([&] { Record(); });
+  UnpackColor(gpu->BytesOf(shown_bytes), HistoryFormatOf(options), out);
   jitter_x_before = frame.jitter_x;
   jitter_y_before = frame.jitter_y;
   is_cut = frame.cut || !has_history;
@@ -260,19 +249,19 @@ void GpuSuperResolution::State::Process(const RenderedFrame& frame, const Mutabl
 }
 
 OutputGeometry GpuSuperResolution::State::Geometry() {
-  passes.Run([&](VkCommandBuffer recorded) {
-    passes.Record(recorded, geometry, &numbers);
-    CopyToBuffer(recorded, resources.image(output_depth), resources.buffer(output_depth_bytes));
-    CopyToBuffer(recorded, resources.image(output_motion), resources.buffer(output_motion_bytes));
+  gpu->Run([&] {
+    gpu->Record(geometry, &numbers);
+    gpu->CopyToBuffer(output_depth, output_depth_bytes);
+    gpu->CopyToBuffer(output_motion, output_motion_bytes);
   });
-  UnpackDepth(resources.buffer(output_depth_bytes).bytes, geometry_depth.view());
-  UnpackMotion(resources.buffer(output_motion_bytes).bytes, geometry_motion.view());
+  UnpackDepth(gpu->BytesOf(output_depth_bytes), geometry_depth.view());
+  UnpackMotion(gpu->BytesOf(output_motion_bytes), geometry_motion.view());
   return {.depth = std::as_const(geometry_depth).view(),
           .motion = std::as_const(geometry_motion).view(),
           .cut = is_cut};
 }
 
-GpuSuperResolution::GpuSuperResolution(const VulkanDevice& device,
+GpuSuperResolution::GpuSuperResolution(const GpuDevice& device,
                                        const SuperResolutionOptions& options,
                                        const InputConventions& conventions, bool makes_geometry)
     : state_(std::make_unique<State>(device, options, conventions, makes_geometry)) {}
@@ -287,8 +276,8 @@ void GpuSuperResolution::Reset() { state_->has_history = false; }
 
 OutputGeometry GpuSuperResolution::Geometry() { return state_->Geometry(); }
 
-std::vector<PassTime> GpuSuperResolution::Times() const { return state_->passes.Times(); }
+std::vector<PassTime> GpuSuperResolution::Times() const { return state_->gpu->Times(); }
 
-std::size_t GpuSuperResolution::MemoryBytes() const { return state_->resources.bytes(); }
+std::size_t GpuSuperResolution::MemoryBytes() const { return state_->gpu->bytes(); }
 
 }  // namespace warplut

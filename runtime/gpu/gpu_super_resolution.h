@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runtime/gpu/input_conventions.h"
-#include "runtime/gpu/pass_sequence.h"
+#include "runtime/gpu/gpu_workspace.h"
 #include "runtime/super_resolution.h"
 
 namespace warplut {
@@ -19,14 +19,14 @@ class GpuSuperResolution {
   // Whether the GPU has passes for the options, whose IsValid holds: a history in RGBA16F or
   // RGBA32F, and no reactive mask. Also false where the device cannot hold the images. *why (if not
   // null) is a sentence.
-  static bool IsRunnable(const VulkanDevice& device, const SuperResolutionOptions& options,
+  static bool IsRunnable(const GpuDevice& device, const SuperResolutionOptions& options,
                          std::string* why = nullptr);
 
   // Runnable options. The table is copied. The motion filter runs on the processor, before the
-  // upload; with it the conventions must be the default ones. `makes_geometry`: Geometry will be
+  // upload; with it the conventions must be the default ones, without it valid ones. `makes_geometry`: Geometry will be
   // called, which takes 20 bytes per output pixel. The device outlives the object. A GpuError where
   // memory or a shader cannot be had.
-  GpuSuperResolution(const VulkanDevice& device, const SuperResolutionOptions& options,
+  GpuSuperResolution(const GpuDevice& device, const SuperResolutionOptions& options,
                      const InputConventions& conventions = {}, bool makes_geometry = false);
   ~GpuSuperResolution();
 

@@ -11,15 +11,15 @@ namespace {
 constexpr int kHalfMantissaBits = 10;
 
 // The texel of `color`, four channels, at `to`.
-void PackTexel(const float (&color)[4], VkFormat format, std::byte* to) {
-  if (format == VK_FORMAT_B10G11R11_UFLOAT_PACK32) {
+void PackTexel(const float (&color)[4], TexelFormat format, std::byte* to) {
+  if (format == TexelFormat::kR11G11B10F) {
     const std::uint32_t texel = UnsignedFloat(color[0], 6) | UnsignedFloat(color[1], 6) << 11 |
                                 UnsignedFloat(color[2], 5) << 22;
     std::memcpy(to, &texel, sizeof(texel));
     return;
   }
-  const PixelFormat pixel = format == VK_FORMAT_R8G8B8A8_UNORM        ? PixelFormat::kRgba8
-                            : format == VK_FORMAT_R16G16B16A16_SFLOAT ? PixelFormat::kRgba16F
+  const PixelFormat pixel = format == TexelFormat::kRgba8   ? PixelFormat::kRgba8
+                            : format == TexelFormat::kRgba16F ? PixelFormat::kRgba16F
                                                                       : PixelFormat::kRgba32F;
   for (int c = 0; c < 4; ++c) StoreChannel(pixel, color[c] * ChannelScale(pixel), to, c);
 }
@@ -37,7 +37,7 @@ float FromUnsignedFloat(std::uint32_t bits, int mantissa_bits) {
   return HalfToFloat(static_cast<std::uint16_t>(bits << (kHalfMantissaBits - mantissa_bits)));
 }
 
-void PackColor(const ImageView& color, VkFormat format, std::byte* to) {
+void PackColor(const ImageView& color, TexelFormat format, std::byte* to) {
   const float unit = ChannelScale(color.format);
   for (int y = 0; y < color.height; ++y) {
     for (int x = 0; x < color.width; ++x, to += TexelBytes(format)) {
@@ -53,12 +53,12 @@ void PackDepth(const ImageView& depth, std::byte* to) {
   for (int y = 0; y < depth.height; ++y, to += row) std::memcpy(to, depth.Row<float>(y), row);
 }
 
-void PackMotion(const MotionView& motion, VkFormat format, std::byte* to) {
+void PackMotion(const MotionView& motion, TexelFormat format, std::byte* to) {
   const int count = 2 * motion.width;
   for (int y = 0; y < motion.height; ++y) {
     const float* from = motion.Row(y);
     for (int i = 0; i < count; ++i) {
-      if (format == VK_FORMAT_R16G16_SFLOAT) {
+      if (format == TexelFormat::kRg16F) {
         const std::uint16_t half = FloatToHalf(from[i]);
         std::memcpy(to, &half, sizeof(half));
         to += sizeof(half);

@@ -20,7 +20,7 @@ namespace {
 // The times of passes of one mode, frame after frame.
 class PassTimes {
  public:
-  PassTimes(const char* mode, const VulkanDevice& device) : mode_(mode), device_(device) {}
+  PassTimes(const char* mode, const GpuDevice& device) : mode_(mode), device_(device) {}
 
   void Add(const std::vector<PassTime>& times) {
     if (times.empty()) {
@@ -51,7 +51,7 @@ class PassTimes {
   }
 
   const char* mode_;
-  const VulkanDevice& device_;
+  const GpuDevice& device_;
   std::vector<std::string> passes_;
   std::vector<std::vector<double>> times_;
   std::vector<double> all_;
@@ -59,7 +59,7 @@ class PassTimes {
 
 constexpr PixelFormat kFormat = PixelFormat::kRgba16F;
 
-void TimeSuperResolution(const VulkanDevice& device, const PassBenchmarkOptions& benchmark,
+void TimeSuperResolution(const GpuDevice& device, const PassBenchmarkOptions& benchmark,
                          const WarpOptions& warp, std::vector<PassBenchmarkRow>* rows) {
   SuperResolutionOptions options;
   options.output_width = benchmark.width;
@@ -85,7 +85,7 @@ void TimeSuperResolution(const VulkanDevice& device, const PassBenchmarkOptions&
   times.AppendTo(rows);
 }
 
-void TimeGeneration(const VulkanDevice& device, const PassBenchmarkOptions& benchmark,
+void TimeGeneration(const GpuDevice& device, const PassBenchmarkOptions& benchmark,
                     const WarpOptions& warp, bool interpolates,
                     std::vector<PassBenchmarkRow>* rows) {
   FrameGenerationOptions options;
@@ -132,9 +132,9 @@ bool PassBenchmarkOptions::IsValid(std::string* why) const {
   return reason.empty();
 }
 
-PassBenchmark RunPassBenchmark([[maybe_unused]] const PassBenchmarkOptions& options) {
+PassBenchmark RunPassBenchmark([[maybe_unused]] const GpuDevice& device,
+                               [[maybe_unused]] const PassBenchmarkOptions& options) {
 #ifdef WARPLUT_HAS_GPU
-  const VulkanDevice device;
   const Table table(baked::kWarplutIirX2);
   const WarpOptions warp = {.filter = Filter::kLut, .table = &table};
   PassBenchmark benchmark{.device = device.name(), .rows = {}};
@@ -143,7 +143,7 @@ PassBenchmark RunPassBenchmark([[maybe_unused]] const PassBenchmarkOptions& opti
     TimeGeneration(device, options, warp, interpolates, &benchmark.rows);
   return benchmark;
 #else
-  throw Error("this build has no passes for the device vulkan; expected a build with Vulkan");
+  throw Error("this build has no passes of a GPU; expected a build with Vulkan or OpenGL ES");
 #endif
 }
 

@@ -8,6 +8,8 @@
 
 namespace warplut {
 
+class GpuDevice;
+
 struct PassBenchmarkOptions {
   int width = 1920, height = 1080;  // of the output, each in [2, 16384]
   double scale = 2;                 // output / render of super resolution, in [1, 4]
@@ -28,8 +30,8 @@ struct PassBenchmark {
 };
 
 // Default options, a table with prefilter, colour and history in RGBA16F. Uploads and downloads do
-// not count. Frames of generation are new each time. GpuError where there is no device; an Error
-// where the build has no passes for one or the device has no timestamps.
-PassBenchmark RunPassBenchmark(const PassBenchmarkOptions& options);
+// not count. Frames of generation are new each time. An Error where the device has no timestamps,
+// or the build no passes.
+PassBenchmark RunPassBenchmark(const GpuDevice& device, const PassBenchmarkOptions& options);
 
 }  // namespace warplut

@@ -104,21 +104,25 @@ void AddBenchSr(Command bench, CommandRun* run) {
       [options, json, run] { *run = [options, json] { return RunBenchSr(*options, *json); }; });
 }
 
-ExitCode RunBenchPasses(const PassBenchmarkOptions& options, bool json) {
+ExitCode RunBenchPasses(const std::string& device, const PassBenchmarkOptions& options, bool json) {
   std::string why;
   RequireUsage(options.IsValid(&why), why);
-  PrintBenchmark(RunPassBenchmark(options), json);
+  AsUsage([&] {
+    CheckDevice(device);
+    return true;
+  });
+  PrintBenchmark(RunPassBenchmark(*OpenGpu(device), options), json);
   return ExitCode::kDone;
 }
 
 void AddBenchPasses(Command bench, CommandRun* run) {
   const auto options = std::make_shared<PassBenchmarkOptions>();
   const auto json = std::make_shared<bool>(false);
-  const auto device = std::make_shared<std::string>(DeviceNames().back());
+  const auto device = std::make_shared<std::string>(GpuDeviceNames().front());
   Command command = bench.AddCommand(
       "passes", "Time each pass of super resolution and frame generation on a GPU");
   command.Add("--device", *device, "Device that runs the passes")
-      .OneOf({DeviceNames().back()})
+      .OneOf(GpuDeviceNames())
       .ShowDefault();
   command.Add("--width", options->width, "Width of the output in pixels").ShowDefault();
   command.Add("--height", options->height, "Height of the output in pixels").ShowDefault();
@@ -126,7 +130,7 @@ void AddBenchPasses(Command bench, CommandRun* run) {
   command.Add("--repeats", options->repeats, "Number of timed frames of each mode").ShowDefault();
   AddJsonOption(command, json.get());
   command.OnParsed([options, json, device, run] {
-    *run = [options, json] { return RunBenchPasses(*options, *json); };
+    *run = [options, json] { return RunBenchPasses(*device, *options, *json); };
   });
 }
 

@@ -89,10 +89,7 @@ class Runner {
 
   std::vector<ModeOutput> Run() {
     RequireWritableFolder(arguments_.out);
-    // A stream that a later mode lacks is told before the first one runs.
-    for (const MethodInfo* method : methods_) {
-      LoadFrame(sequence_, range_.first, NeededStreams(*method, AvailableStreams(sequence_)));
-    }
+    for (const MethodInfo* method : methods_) CheckMode(*method);
     std::vector<ModeOutput> outputs;
     for (const MethodInfo* method : methods_) outputs.push_back(RunOne(*method));
     return outputs;
@@ -102,12 +99,32 @@ class Runner {
   const std::string& filter_name() const { return pipeline_.filter_name(); }
 
  private:
-  ModeOutput RunOne(const MethodInfo& method) {
+  ModeRunOptions OptionsOf(const MethodInfo& method) const {
     ModeRunOptions options = pipeline_.Options(method, arguments_.every);
     options.device = device_.get();
-    const Clip clip = pipeline_.Load(sequence_, range_, {&method}, Streams::kNone, options.every);
+    return options;
+  }
+
+  // The clip of the range, on which the method can run.
+  Clip Load(const FrameRange& range, const MethodInfo& method) const {
+    const ModeRunOptions options = OptionsOf(method);
+    Clip clip = pipeline_.Load(sequence_, range, {&method}, Streams::kNone, options.every);
     std::string why;
     if (!options.IsValid(clip, &why)) throw Error(why);
+    return clip;
+  }
+
+  // Streams and choices that a later mode lacks are told before the first one runs.
+  void CheckMode(const MethodInfo& method) const {
+    LoadFrame(sequence_, range_.first, NeededStreams(method, AvailableStreams(sequence_)));
+    if (device_ == nullptr) return;
+    // One frame that is rendered after the first.
+    Load({range_.first, std::min(range_.count, arguments_.every + 1)}, method);
+  }
+
+  ModeOutput RunOne(const MethodInfo& method) {
+    const ModeRunOptions options = OptionsOf(method);
+    const Clip clip = Load(range_, method);
     std::optional<Clip> truth;
     std::optional<SequenceJudge> judge;
     if (arguments_.score) {

@@ -40,6 +40,11 @@ class ProcessorFrameGeneration final : public FrameGenerationPasses {
 
 }  // namespace
 
+const std::string& ProcessorDevice::name() const {
+  static const std::string name = "cpu";
+  return name;
+}
+
 std::unique_ptr<SuperResolutionPasses> ProcessorDevice::MakeSuperResolution(
     const SuperResolutionOptions& options, bool) {
   return std::make_unique<ProcessorSuperResolution>(options, executor_);

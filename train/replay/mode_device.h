@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "runtime/executor.h"
 #include "runtime/frame_generation.h"
@@ -15,7 +16,7 @@ class SuperResolutionPasses {
   virtual ~SuperResolutionPasses() = default;
   virtual void Process(const RenderedFrame& frame, const MutableImageView& out) = 0;
   virtual OutputGeometry Geometry() = 0;
-  // SuperResolution::SetRenderSize. An Error where the device has one size alone.
+  // SuperResolution::SetRenderSize.
   virtual void SetRenderSize(int width, int height) = 0;
   // All 0 where the device does not count.
   virtual FrameTiles Tiles() const { return {}; }
@@ -35,8 +36,14 @@ class FrameGenerationPasses {
 class ModeDevice {
  public:
   virtual ~ModeDevice() = default;
-  // For valid options. `makes_geometry`: Geometry will be called. An Error names what the device
-  // cannot do.
+  // As --device takes it.
+  virtual const std::string& name() const = 0;
+  // Whether the device has passes for valid options; otherwise *why is a sentence. `varies`:
+  // SetRenderSize will be called.
+  virtual bool IsRunnable(const SuperResolutionOptions& options, bool varies,
+                          std::string* why) const = 0;
+  virtual bool IsRunnable(const FrameGenerationOptions& options, std::string* why) const = 0;
+  // For runnable options. `makes_geometry`: Geometry will be called.
   virtual std::unique_ptr<SuperResolutionPasses> MakeSuperResolution(
       const SuperResolutionOptions& options, bool makes_geometry) = 0;
   // `color` is the format of the frames' colours.
@@ -50,6 +57,9 @@ class ProcessorDevice final : public ModeDevice {
   // The executor outlives what is made.
   explicit ProcessorDevice(Executor& executor) : executor_(executor) {}
 
+  const std::string& name() const override;
+  bool IsRunnable(const SuperResolutionOptions&, bool, std::string*) const override { return true; }
+  bool IsRunnable(const FrameGenerationOptions&, std::string*) const override { return true; }
   std::unique_ptr<SuperResolutionPasses> MakeSuperResolution(const SuperResolutionOptions& options,
                                                              bool makes_geometry) override;
   std::unique_ptr<FrameGenerationPasses> MakeFrameGeneration(const FrameGenerationOptions& options,

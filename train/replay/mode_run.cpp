@@ -50,6 +50,20 @@ std::string WhyClipIsUnfit(const Clip& clip, const ModeRunOptions& options) {
   return {};
 }
 
+// Whether the passes of the method run on its device, for options that are valid.
+std::string WhyDeviceIsUnfit(const Clip& clip, const ModeRunOptions& options) {
+  std::string reason;
+  if (options.device == nullptr) return reason;
+  if (options.method->super_resolution) {
+    options.device->IsRunnable(EffectiveSuperResolution(clip, options), !clip.render_sizes.empty(),
+                               &reason);
+  }
+  if (reason.empty() && WarpsFrames(*options.method)) {
+    options.device->IsRunnable(EffectiveGeneration(clip, options), &reason);
+  }
+  return reason;
+}
+
 // A rendered frame as it is displayed: the clip's own buffers, or what super resolution made.
 struct Display {
   DisplayedFrame frame;
@@ -336,6 +350,7 @@ bool ModeRunOptions::IsValid(const Clip& clip, std::string* why) const {
     if (reason.empty() && method->configure_generation != nullptr) {
       EffectiveGeneration(clip, *this).IsValid(&reason);
     }
+    if (reason.empty()) reason = WhyDeviceIsUnfit(clip, *this);
   }
   if (why != nullptr) *why = reason;
   return reason.empty();

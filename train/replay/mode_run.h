@@ -36,8 +36,8 @@ struct ModeRunOptions {
   bool filter_quantised_motion = false;
   ModeDevice* device = nullptr;  // outlives the run; null: the processor, by the run's executor
 
-  // Whether the method can run on this clip (its streams are there, sizes fit); otherwise *why says
-  // what is missing.
+  // Whether the method can run on this clip (its streams are there, sizes fit) and on the device;
+  // otherwise *why says what is missing.
   bool IsValid(const Clip& clip, std::string* why = nullptr) const;
 };
 

@@ -3,8 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D variances;
-layout(binding = 1, r32f) writeonly uniform image2D smoothing;
+layout(binding = 0, r32f) writeonly uniform image2D smoothing;
+layout(binding = 1) uniform sampler2D variances;
 
 void main() {
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);

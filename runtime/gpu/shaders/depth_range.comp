@@ -4,9 +4,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D depth;
-layout(binding = 1, r32f) writeonly uniform image2D nearest;
-layout(binding = 2, r32f) writeonly uniform image2D farthest;
+layout(binding = 0, r32f) writeonly uniform image2D nearest;
+layout(binding = 1, r32f) writeonly uniform image2D farthest;
+layout(binding = 2) uniform sampler2D depth;
 
 void main() {
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);

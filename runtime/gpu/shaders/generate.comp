@@ -4,13 +4,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "generation.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 1, HISTORY_FORMAT) writeonly uniform image2D generated;
 // Colours, or their codes in linear HDR; and their coefficients.
-layout(binding = 5) uniform sampler2D color0;
-layout(binding = 6) uniform sampler2D color1;
-layout(binding = 7) uniform sampler2D coefficients0;
-layout(binding = 8) uniform sampler2D coefficients1;
-layout(binding = 9) uniform sampler2DArray table;
-layout(binding = 10, HISTORY_FORMAT) writeonly uniform image2D generated;
+layout(binding = 6) uniform sampler2D color0;
+layout(binding = 7) uniform sampler2D color1;
+layout(binding = 8) uniform sampler2D coefficients0;
+layout(binding = 9) uniform sampler2D coefficients1;
+layout(binding = 10) uniform sampler2DArray table;
 #include "target_motion.glsl"
 
 // Channels that are no finite numbers count as 0.

@@ -27,14 +27,14 @@ layout(push_constant) uniform GenerationNumbers {
   int counts_motion0;  // frame 0 is no cut
 } frame;
 
-layout(binding = 0) uniform sampler2D depth0;
-layout(binding = 1) uniform sampler2D depth1;
-layout(binding = 2) uniform sampler2D motion0;
-layout(binding = 3) uniform sampler2D motion1;
+layout(binding = 2) uniform sampler2D depth0;
+layout(binding = 3) uniform sampler2D depth1;
+layout(binding = 4) uniform sampler2D motion0;
+layout(binding = 5) uniform sampler2D motion1;
 // What arrives at pixel (x, y), in two words from 2 (y width + x) on: the index of the source pixel
 // and the bits of its depth. Both are kNoArrival where there is none. The two together are the key
 // of runtime/generation/splat_key.h.
-layout(std430, binding = 4) buffer Arrivals { uint keys[]; };
+layout(std430, binding = 0) buffer Arrivals { uint keys[]; };
 
 vec2 Nowhere() { return vec2(uintBitsToFloat(kNanBits)); }
 bool IsFiniteVector(vec2 v) { return IsFinite(v.x) && IsFinite(v.y); }

@@ -4,10 +4,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D depth;
-layout(binding = 1) uniform sampler2D motion;
-layout(binding = 2, r32f) writeonly uniform image2D output_depth;
-layout(binding = 3, rgba32f) writeonly uniform image2D output_motion;
+layout(binding = 0, r32f) writeonly uniform image2D output_depth;
+layout(binding = 1, rgba32f) writeonly uniform image2D output_motion;
+layout(binding = 2) uniform sampler2D depth;
+layout(binding = 3) uniform sampler2D motion;
 #include "surface.glsl"
 
 void main() {

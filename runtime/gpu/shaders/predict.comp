@@ -4,17 +4,17 @@
 #extension GL_GOOGLE_include_directive : require
 #include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D color;
-layout(binding = 1) uniform sampler2D depth;
-layout(binding = 2) uniform sampler2D motion;
-layout(binding = 3) uniform sampler2D history;
-layout(binding = 4) uniform sampler2D coefficients;
-layout(binding = 5) uniform sampler2DArray table;
-layout(binding = 6) uniform sampler2D box_low;
-layout(binding = 7) uniform sampler2D box_high;
-layout(binding = 8) uniform sampler2D nearest_before;
-layout(binding = 9) uniform sampler2D farthest_before;
-layout(binding = 10, HISTORY_FORMAT) writeonly uniform image2D predicted;
+layout(binding = 0, HISTORY_FORMAT) writeonly uniform image2D predicted;
+layout(binding = 1) uniform sampler2D color;
+layout(binding = 2) uniform sampler2D depth;
+layout(binding = 3) uniform sampler2D motion;
+layout(binding = 4) uniform sampler2D history;
+layout(binding = 5) uniform sampler2D coefficients;
+layout(binding = 6) uniform sampler2DArray table;
+layout(binding = 7) uniform sampler2D box_low;
+layout(binding = 8) uniform sampler2D box_high;
+layout(binding = 9) uniform sampler2D nearest_before;
+layout(binding = 10) uniform sampler2D farthest_before;
 #include "surface.glsl"
 
 vec4 WarpedTexel(sampler2D image, ivec2 p) { return texelFetch(image, p, 0); }

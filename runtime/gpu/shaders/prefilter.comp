@@ -12,8 +12,8 @@ const int kThreads = 64;
 const int kStride = kLength + 2 * kLargestPrefilterReach;
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const bool RECURSIVE = true;
-layout(binding = 0) uniform sampler2D samples;
-layout(binding = 1, HISTORY_FORMAT) writeonly uniform image2D coefficients;
+layout(binding = 0, HISTORY_FORMAT) writeonly uniform image2D coefficients;
+layout(binding = 1) uniform sampler2D samples;
 
 // struct PrefilterNumbers (runtime/gpu/frame_numbers.h).
 layout(push_constant) uniform PrefilterNumbers {

@@ -4,10 +4,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "super_resolution.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;  // kAliasingTile
-layout(binding = 0) uniform sampler2D color;
-layout(binding = 1) uniform sampler2D predicted;
-layout(binding = 2, HISTORY_FORMAT) writeonly uniform image2D residual;
-layout(binding = 3, r32f) writeonly uniform image2D variances;
+layout(binding = 0, HISTORY_FORMAT) writeonly uniform image2D residual;
+layout(binding = 1, r32f) writeonly uniform image2D variances;
+layout(binding = 2) uniform sampler2D color;
+layout(binding = 3) uniform sampler2D predicted;
 
 const int kTilePixels = kAliasingTile * kAliasingTile;
 shared vec4 sums[kTilePixels];

@@ -3,9 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D color;
-layout(binding = 1, HISTORY_FORMAT) writeonly uniform image2D box_low;
-layout(binding = 2, HISTORY_FORMAT) writeonly uniform image2D box_high;
+layout(binding = 0, HISTORY_FORMAT) writeonly uniform image2D box_low;
+layout(binding = 1, HISTORY_FORMAT) writeonly uniform image2D box_high;
+layout(binding = 2) uniform sampler2D color;
 
 void main() {
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);

@@ -4,12 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "super_resolution.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D color;
-layout(binding = 1) uniform sampler2D predicted;
-layout(binding = 2) uniform sampler2D residual;
-layout(binding = 3) uniform sampler2D smoothing;
-layout(binding = 4, HISTORY_FORMAT) writeonly uniform image2D history;
-layout(binding = 5, HISTORY_FORMAT) writeonly uniform image2D shown;
+layout(binding = 0, HISTORY_FORMAT) writeonly uniform image2D history;
+layout(binding = 1, HISTORY_FORMAT) writeonly uniform image2D shown;
+layout(binding = 2) uniform sampler2D color;
+layout(binding = 3) uniform sampler2D predicted;
+layout(binding = 4) uniform sampler2D residual;
+layout(binding = 5) uniform sampler2D smoothing;
 
 // `share` of `distance_`, lengthened where rounding would undo it.
 vec3 HistoryStep(float share, vec3 distance_) {

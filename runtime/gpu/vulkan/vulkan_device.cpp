@@ -1,8 +1,10 @@
 #define VOLK_IMPLEMENTATION
-#include "runtime/gpu/vulkan_device.h"
+#include "runtime/gpu/vulkan/vulkan_device.h"
 
 #include <algorithm>
 #include <cstring>
+
+#include "runtime/gpu/vulkan/vulkan_workspace.h"
 
 namespace warplut {
 namespace {
@@ -77,6 +79,26 @@ int RankOf(VkPhysicalDeviceType type) {
 void CheckVulkan(VkResult result, const std::string& what) {
   if (result == VK_SUCCESS) return;
   throw GpuError("the GPU failed " + what + ": " + ReasonOf(result));
+}
+
+VkFormat VulkanFormat(TexelFormat format) {
+  switch (format) {
+    case TexelFormat::kR32F:
+      return VK_FORMAT_R32_SFLOAT;
+    case TexelFormat::kRg16F:
+      return VK_FORMAT_R16G16_SFLOAT;
+    case TexelFormat::kRg32F:
+      return VK_FORMAT_R32G32_SFLOAT;
+    case TexelFormat::kRgba8:
+      return VK_FORMAT_R8G8B8A8_UNORM;
+    case TexelFormat::kRgba16F:
+      return VK_FORMAT_R16G16B16A16_SFLOAT;
+    case TexelFormat::kRgba32F:
+      return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case TexelFormat::kR11G11B10F:
+      return VK_FORMAT_B10G11R11_UFLOAT_PACK32;
+  }
+  return VK_FORMAT_UNDEFINED;
 }
 
 VulkanDevice::VulkanDevice(const DeviceOptions& options) try {
@@ -190,12 +212,16 @@ void VulkanDevice::CreateDevice() {
   vkGetDeviceQueue(device_, family_, 0, &queue_);
 }
 
-bool VulkanDevice::CanStore(VkFormat format) const {
+std::unique_ptr<GpuWorkspace> VulkanDevice::MakeWorkspace(PixelFormat format) const {
+  return std::make_unique<VulkanWorkspace>(*this, format);
+}
+
+bool VulkanDevice::CanStore(TexelFormat format) const {
   constexpr VkFormatFeatureFlags kNeeded =
       VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT |
       VK_FORMAT_FEATURE_TRANSFER_SRC_BIT | VK_FORMAT_FEATURE_TRANSFER_DST_BIT;
   VkFormatProperties properties;
-  vkGetPhysicalDeviceFormatProperties(physical_, format, &properties);
+  vkGetPhysicalDeviceFormatProperties(physical_, VulkanFormat(format), &properties);
   return (properties.optimalTilingFeatures & kNeeded) == kNeeded;
 }
 

@@ -1,4 +1,4 @@
-#include "runtime/gpu/pass_sequence.h"
+#include "runtime/gpu/vulkan/vulkan_workspace.h"
 
 namespace warplut {
 namespace {
@@ -32,58 +32,58 @@ VkSampler MakeSampler(const VulkanDevice& device) {
 
 }  // namespace
 
-PassSequence::PassSequence(const VulkanDevice& device, const GpuResources& resources,
-                           PixelFormat format)
+VulkanWorkspace::VulkanWorkspace(const VulkanDevice& device, PixelFormat format)
     : device_(device),
-      resources_(resources),
       format_(format),
       sampler_(MakeSampler(device)),
       commands_(device, kMostTimestamps) {}
 
-PassSequence::~PassSequence() { vkDestroySampler(device_.handle(), sampler_, nullptr); }
+VulkanWorkspace::~VulkanWorkspace() { vkDestroySampler(device_.handle(), sampler_, nullptr); }
 
-int PassSequence::Add(const PassPlan& plan) {
-  PassOptions options = {.name = plan.name,
-                         .spirv = CodeOf(plan.shader, format_),
-                         .constants = plan.constants,
-                         .sets = {},
-                         .numbers_bytes = plan.numbers_bytes,
-                         .width = plan.width,
-                         .height = plan.height,
-                         .group_width = plan.group_width,
-                         .group_height = plan.group_height};
-  for (const std::vector<Binding>& bindings : plan.sets) {
-    std::vector<PassResource>& set = options.sets.emplace_back();
-    for (const Binding& binding : bindings) {
-      if (binding.use == Binding::Use::kBuffer) {
-        set.push_back({.buffer = resources_.buffer(binding.index).buffer});
-      } else {
-        set.push_back({.view = resources_.image(binding.index).view,
-                       .stored = binding.use == Binding::Use::kStored});
-      }
-    }
-  }
-  passes_.push_back(std::make_unique<ComputePass>(device_, options, sampler_));
+void VulkanWorkspace::Allocate() {
+  resources_.emplace(device_, images(), buffers());
+  Run([&] {
+    for (const VulkanImage& image : resources_->images()) PrepareImage(recorded_, image);
+  });
+}
+
+int VulkanWorkspace::AddPass(const PassPlan& plan) {
+  passes_.push_back(std::make_unique<VulkanPass>(device_, *resources_, plan,
+                                                 SpirvOf(plan.shader, format_), sampler_));
   return static_cast<int>(passes_.size()) - 1;
 }
 
-void PassSequence::Run(const std::function<void(VkCommandBuffer)>& record) {
+void VulkanWorkspace::Run(const std::function<void()>& record) {
   run_.clear();
-  commands_.Run(record);
+  commands_.Run([&](VkCommandBuffer commands) {
+    recorded_ = commands;
+    record();
+  });
 }
 
 // Each time is from the end of the pass before, or of what came before the first.
-void PassSequence::Record(VkCommandBuffer commands, int pass, const void* numbers,
-                          std::size_t set) {
+void VulkanWorkspace::Record(int pass, const void* numbers, std::size_t set) {
   if (pass < 0) return;
-  if (run_.empty()) commands_.Timestamp(commands);
-  const ComputePass& recorded = *passes_[static_cast<std::size_t>(pass)];
-  recorded.Record(commands, numbers, set);
-  commands_.Timestamp(commands);
+  if (run_.empty()) commands_.Timestamp(recorded_);
+  const VulkanPass& recorded = *passes_[static_cast<std::size_t>(pass)];
+  recorded.Record(recorded_, numbers, set);
+  commands_.Timestamp(recorded_);
   run_.push_back(recorded.name());
 }
 
-std::vector<PassTime> PassSequence::Times() const {
+void VulkanWorkspace::CopyToImage(int buffer, int image) {
+  warplut::CopyToImage(recorded_, resources_->buffer(buffer), resources_->image(image));
+}
+
+void VulkanWorkspace::CopyToBuffer(int image, int buffer) {
+  warplut::CopyToBuffer(recorded_, resources_->image(image), resources_->buffer(buffer));
+}
+
+void VulkanWorkspace::FillBuffer(int buffer, std::uint32_t value) {
+  warplut::FillBuffer(recorded_, resources_->buffer(buffer), value);
+}
+
+std::vector<PassTime> VulkanWorkspace::Times() const {
   const std::vector<double> intervals = commands_.Intervals();
   std::vector<PassTime> times;
   for (std::size_t i = 0; i < intervals.size(); ++i) times.push_back({run_[i], intervals[i]});

@@ -1,4 +1,4 @@
-#include "runtime/gpu/gpu_commands.h"
+#include "runtime/gpu/vulkan/vulkan_commands.h"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ constexpr ImageUse kCopiedTo = {VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, kCopies,
 constexpr ImageUse kCopiedFrom = {VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kCopies,
                                   VK_ACCESS_TRANSFER_READ_BIT};
 
-void ChangeUse(VkCommandBuffer commands, const GpuImage& image, const ImageUse& before,
+void ChangeUse(VkCommandBuffer commands, const VulkanImage& image, const ImageUse& before,
                const ImageUse& after) {
   const VkImageMemoryBarrier barrier = {
       .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
@@ -38,20 +38,20 @@ void ChangeUse(VkCommandBuffer commands, const GpuImage& image, const ImageUse& 
                        &barrier);
 }
 
-VkBufferImageCopy WholeImage(const GpuImage& image) {
+VkBufferImageCopy WholeImage(const VulkanImage& image) {
   return {.bufferOffset = 0,
           .bufferRowLength = 0,
           .bufferImageHeight = 0,
           .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0,
-                               static_cast<std::uint32_t>(std::max(image.layers, 1))},
+                               static_cast<std::uint32_t>(std::max(image.plan.layers, 1))},
           .imageOffset = {0, 0, 0},
-          .imageExtent = {static_cast<std::uint32_t>(image.width),
-                          static_cast<std::uint32_t>(image.height), 1}};
+          .imageExtent = {static_cast<std::uint32_t>(image.plan.width),
+                          static_cast<std::uint32_t>(image.plan.height), 1}};
 }
 
 }  // namespace
 
-GpuCommands::GpuCommands(const VulkanDevice& device, int most_timestamps)
+VulkanCommands::VulkanCommands(const VulkanDevice& device, int most_timestamps)
     : device_(device), most_timestamps_(static_cast<std::uint32_t>(most_timestamps)) {
   try {
     const VkCommandPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
@@ -84,15 +84,15 @@ GpuCommands::GpuCommands(const VulkanDevice& device, int most_timestamps)
   }
 }
 
-GpuCommands::~GpuCommands() { Destroy(); }
+VulkanCommands::~VulkanCommands() { Destroy(); }
 
-void GpuCommands::Destroy() {
+void VulkanCommands::Destroy() {
   vkDestroyQueryPool(device_.handle(), queries_, nullptr);
   vkDestroyFence(device_.handle(), fence_, nullptr);
   vkDestroyCommandPool(device_.handle(), pool_, nullptr);
 }
 
-void GpuCommands::Run(const std::function<void(VkCommandBuffer)>& record) {
+void VulkanCommands::Run(const std::function<void(VkCommandBuffer)>& record) {
   const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                           .pNext = nullptr,
                                           .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
@@ -116,12 +116,12 @@ void GpuCommands::Run(const std::function<void(VkCommandBuffer)>& record) {
   CheckVulkan(vkResetFences(device_.handle(), 1, &fence_), "to run a frame");
 }
 
-void GpuCommands::Timestamp(VkCommandBuffer commands) {
+void VulkanCommands::Timestamp(VkCommandBuffer commands) {
   if (queries_ == VK_NULL_HANDLE || timestamps_ == most_timestamps_) return;
   vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries_, timestamps_++);
 }
 
-std::vector<double> GpuCommands::Intervals() const {
+std::vector<double> VulkanCommands::Intervals() const {
   if (timestamps_ < 2) return {};
   std::vector<std::uint64_t> ticks(timestamps_);
   CheckVulkan(vkGetQueryPoolResults(device_.handle(), queries_, 0, timestamps_,
@@ -134,18 +134,18 @@ std::vector<double> GpuCommands::Intervals() const {
   return intervals;
 }
 
-void PrepareImage(VkCommandBuffer commands, const GpuImage& image) {
+void PrepareImage(VkCommandBuffer commands, const VulkanImage& image) {
   ChangeUse(commands, image, kNew, kByShaders);
 }
 
-void CopyToImage(VkCommandBuffer commands, const GpuBuffer& from, const GpuImage& to) {
+void CopyToImage(VkCommandBuffer commands, const VulkanBuffer& from, const VulkanImage& to) {
   const VkBufferImageCopy copy = WholeImage(to);
   ChangeUse(commands, to, kByShaders, kCopiedTo);
   vkCmdCopyBufferToImage(commands, from.buffer, to.image, kCopiedTo.layout, 1, &copy);
   ChangeUse(commands, to, kCopiedTo, kByShaders);
 }
 
-void FillBuffer(VkCommandBuffer commands, const GpuBuffer& buffer, std::uint32_t value) {
+void FillBuffer(VkCommandBuffer commands, const VulkanBuffer& buffer, std::uint32_t value) {
   constexpr VkAccessFlags kByShader = kByShaders.access, kByCopy = VK_ACCESS_TRANSFER_WRITE_BIT;
   const VkMemoryBarrier before = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                   .pNext = nullptr,
@@ -160,7 +160,7 @@ void FillBuffer(VkCommandBuffer commands, const GpuBuffer& buffer, std::uint32_t
   vkCmdPipelineBarrier(commands, kCopies, kCompute, 0, 1, &after, 0, nullptr, 0, nullptr);
 }
 
-void CopyToBuffer(VkCommandBuffer commands, const GpuImage& from, const GpuBuffer& to) {
+void CopyToBuffer(VkCommandBuffer commands, const VulkanImage& from, const VulkanBuffer& to) {
   const VkBufferImageCopy copy = WholeImage(from);
   ChangeUse(commands, from, kByShaders, kCopiedFrom);
   vkCmdCopyImageToBuffer(commands, from.image, kCopiedFrom.layout, to.buffer, 1, &copy);

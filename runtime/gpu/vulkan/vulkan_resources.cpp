@@ -1,4 +1,4 @@
-#include "runtime/gpu/vulkan_resources.h"
+#include "runtime/gpu/vulkan/vulkan_resources.h"
 
 #include <algorithm>
 
@@ -38,59 +38,49 @@ std::uint32_t CommonTypes(const std::vector<VkMemoryRequirements>& requirements)
 
 }  // namespace
 
-VkFormat VulkanFormat(PixelFormat format) {
-  return format == PixelFormat::kRgba16F ? VK_FORMAT_R16G16B16A16_SFLOAT
-                                         : VK_FORMAT_R32G32B32A32_SFLOAT;
-}
-
-bool IsStored(VkFormat format) {
-  return format == VK_FORMAT_R32_SFLOAT || format == VK_FORMAT_R16G16B16A16_SFLOAT ||
-         format == VK_FORMAT_R32G32B32A32_SFLOAT;
-}
-
-std::size_t TexelBytes(VkFormat format) {
-  switch (format) {
-    case VK_FORMAT_R32_SFLOAT:
-    case VK_FORMAT_R16G16_SFLOAT:
-    case VK_FORMAT_B10G11R11_UFLOAT_PACK32:
-    case VK_FORMAT_R8G8B8A8_UNORM:
-      return 4;
-    case VK_FORMAT_R32G32_SFLOAT:
-    case VK_FORMAT_R16G16B16A16_SFLOAT:
-      return 8;
-    case VK_FORMAT_R32G32B32A32_SFLOAT:
-      return 16;
-    default:
-      throw GpuError("an image of an unknown format was asked for");
+VulkanResources::VulkanResources(const VulkanDevice& device, const std::vector<ImagePlan>& images,
+                                 const std::vector<BufferPlan>& buffers)
+    : device_(device) {
+  try {
+    for (const ImagePlan& plan : images) CreateImage(images_.emplace_back(VulkanImage{plan}));
+    for (const BufferPlan& plan : buffers) CreateBuffer(buffers_.emplace_back(VulkanBuffer{plan}));
+    if (!images_.empty()) AllocateImages();
+    for (const bool on_device : {true, false}) AllocateBuffers(on_device);
+  } catch (...) {
+    Destroy();
+    throw;
   }
 }
 
-GpuResources::~GpuResources() {
+VulkanResources::~VulkanResources() { Destroy(); }
+
+void VulkanResources::Destroy() {
   const VkDevice device = device_.handle();
-  for (const GpuImage& i : images_) {
-    if (i.view != VK_NULL_HANDLE) vkDestroyImageView(device, i.view, nullptr);
+  for (const VulkanImage& i : images_) {
+    vkDestroyImageView(device, i.view, nullptr);
     vkDestroyImage(device, i.image, nullptr);
   }
-  for (const GpuBuffer& b : buffers_) vkDestroyBuffer(device, b.buffer, nullptr);
+  for (const VulkanBuffer& b : buffers_) vkDestroyBuffer(device, b.buffer, nullptr);
   vkFreeMemory(device, image_memory_, nullptr);
   vkFreeMemory(device, buffer_memory_, nullptr);
   vkFreeMemory(device, shared_memory_, nullptr);
 }
 
-int GpuResources::AddImage(VkFormat format, int width, int height, int layers) {
-  const bool stores = IsStored(format) && layers == 0;
+void VulkanResources::CreateImage(VulkanImage& image) {
+  const ImagePlan& plan = image.plan;
   VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                             VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-  if (stores) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
+  if (IsStored(plan.format) && plan.layers == 0) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
   const VkImageCreateInfo info = {
       .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
       .pNext = nullptr,
       .flags = 0,
       .imageType = VK_IMAGE_TYPE_2D,
-      .format = format,
-      .extent = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 1},
+      .format = VulkanFormat(plan.format),
+      .extent = {static_cast<std::uint32_t>(plan.width), static_cast<std::uint32_t>(plan.height),
+                 1},
       .mipLevels = 1,
-      .arrayLayers = static_cast<std::uint32_t>(std::max(layers, 1)),
+      .arrayLayers = static_cast<std::uint32_t>(std::max(plan.layers, 1)),
       .samples = VK_SAMPLE_COUNT_1_BIT,
       .tiling = VK_IMAGE_TILING_OPTIMAL,
       .usage = usage,
@@ -98,45 +88,33 @@ int GpuResources::AddImage(VkFormat format, int width, int height, int layers) {
       .queueFamilyIndexCount = 0,
       .pQueueFamilyIndices = nullptr,
       .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED};
-  GpuImage image = {.format = format, .width = width, .height = height, .layers = layers};
   CheckVulkan(vkCreateImage(device_.handle(), &info, nullptr, &image.image), "to make an image");
-  images_.push_back(image);
-  return static_cast<int>(images_.size()) - 1;
 }
 
-int GpuResources::AddBuffer(std::size_t size, bool on_device) {
+void VulkanResources::CreateBuffer(VulkanBuffer& buffer) {
   const VkBufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
                                    .pNext = nullptr,
                                    .flags = 0,
-                                   .size = size,
+                                   .size = buffer.plan.size,
                                    .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                                             VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                    .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
                                    .queueFamilyIndexCount = 0,
                                    .pQueueFamilyIndices = nullptr};
-  GpuBuffer buffer = {.size = size, .on_device = on_device};
   CheckVulkan(vkCreateBuffer(device_.handle(), &info, nullptr, &buffer.buffer), "to make a buffer");
-  buffers_.push_back(buffer);
-  return static_cast<int>(buffers_.size()) - 1;
 }
 
-void GpuResources::Allocate() {
-  if (!images_.empty()) AllocateImages();
-  for (const bool on_device : {true, false}) AllocateBuffers(on_device);
-}
-
-void GpuResources::AllocateImages() {
+void VulkanResources::AllocateImages() {
   std::vector<VkMemoryRequirements> requirements(images_.size());
   for (std::size_t i = 0; i < images_.size(); ++i)
     vkGetImageMemoryRequirements(device_.handle(), images_[i].image, &requirements[i]);
   const std::vector<VkDeviceSize> places = Places(requirements);
-  image_bytes_ = places.back();
   image_memory_ = AllocateBlock(
       device_, places.back(),
       device_.MemoryType(CommonTypes(requirements), VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT));
   for (std::size_t i = 0; i < images_.size(); ++i) {
-    GpuImage& image = images_[i];
+    VulkanImage& image = images_[i];
     CheckVulkan(vkBindImageMemory(device_.handle(), image.image, image_memory_, places[i]),
                 "to place an image");
     const VkImageViewCreateInfo info = {
@@ -144,8 +122,8 @@ void GpuResources::AllocateImages() {
         .pNext = nullptr,
         .flags = 0,
         .image = image.image,
-        .viewType = image.layers > 0 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
-        .format = image.format,
+        .viewType = image.plan.layers > 0 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
+        .format = VulkanFormat(image.plan.format),
         .components = {},
         .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS}};
     CheckVulkan(vkCreateImageView(device_.handle(), &info, nullptr, &image.view),
@@ -153,18 +131,17 @@ void GpuResources::AllocateImages() {
   }
 }
 
-void GpuResources::AllocateBuffers(bool on_device) {
-  std::vector<GpuBuffer*> buffers;
+void VulkanResources::AllocateBuffers(bool on_device) {
+  std::vector<VulkanBuffer*> buffers;
   std::vector<VkMemoryRequirements> requirements;
-  for (GpuBuffer& buffer : buffers_) {
-    if (buffer.on_device != on_device) continue;
+  for (VulkanBuffer& buffer : buffers_) {
+    if (buffer.plan.on_device != on_device) continue;
     buffers.push_back(&buffer);
     requirements.emplace_back();
     vkGetBufferMemoryRequirements(device_.handle(), buffer.buffer, &requirements.back());
   }
   if (buffers.empty()) return;
   const std::vector<VkDeviceSize> places = Places(requirements);
-  buffer_bytes_ += places.back();
   const VkMemoryPropertyFlags kind =
       on_device ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
                 : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;

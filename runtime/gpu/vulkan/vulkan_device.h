@@ -3,47 +3,39 @@
 
 #include <volk.h>
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace warplut {
+#include "runtime/gpu/gpu_device.h"
 
-// One sentence: there is no device, it lacks something, or it failed.
-class GpuError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace warplut {
 
 // Throws GpuError unless `result` is VK_SUCCESS; `what` was tried ("to submit a frame").
 void CheckVulkan(VkResult result, const std::string& what);
 
-struct DeviceOptions {
-  // Collects the messages of VK_LAYER_KHRONOS_validation; a GpuError where it is not installed.
-  bool validate = false;
-};
+VkFormat VulkanFormat(TexelFormat format);
 
-class VulkanDevice {
+class VulkanDevice final : public GpuDevice {
  public:
   // Takes the first device that computes, a discrete GPU before others. A GpuError where there is
   // none. At most one object exists at a time: the functions of Vulkan are loaded for one device.
   explicit VulkanDevice(const DeviceOptions& options = {});
-  ~VulkanDevice();
-  VulkanDevice(const VulkanDevice&) = delete;
-  VulkanDevice& operator=(const VulkanDevice&) = delete;
+  ~VulkanDevice() override;
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const override { return name_; }
+  int largest_image() const override { return static_cast<int>(limits_.maxImageDimension2D); }
+  std::size_t largest_buffer() const override { return limits_.maxStorageBufferRange; }
+  bool has_times() const override { return tick_ > 0; }
+  // Without those of severity info.
+  const std::vector<std::string>& messages() const override { return messages_; }
+  bool CanStore(TexelFormat format) const override;
+  std::unique_ptr<GpuWorkspace> MakeWorkspace(PixelFormat format) const override;
+
   VkDevice handle() const { return device_; }
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return family_; }
-  int largest_image() const { return static_cast<int>(limits_.maxImageDimension2D); }
   // Nanoseconds of a tick of a timestamp; 0 where the queue has none.
   double tick() const { return tick_; }
-  // Messages of the validation layers so far, without those of severity info.
-  const std::vector<std::string>& messages() const { return messages_; }
-
-  // Whether images of this format can be stored to by shaders, sampled and copied.
-  bool CanStore(VkFormat format) const;
   // The first memory type among `bits` with these properties.
   std::uint32_t MemoryType(std::uint32_t bits, VkMemoryPropertyFlags properties) const;
 

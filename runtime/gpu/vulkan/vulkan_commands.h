@@ -4,16 +4,16 @@
 #include <functional>
 #include <vector>
 
-#include "runtime/gpu/compute_pass.h"
+#include "runtime/gpu/vulkan/vulkan_pass.h"
 
 namespace warplut {
 
-class GpuCommands {
+class VulkanCommands {
  public:
-  GpuCommands(const VulkanDevice& device, int most_timestamps);
-  ~GpuCommands();
-  GpuCommands(const GpuCommands&) = delete;
-  GpuCommands& operator=(const GpuCommands&) = delete;
+  VulkanCommands(const VulkanDevice& device, int most_timestamps);
+  ~VulkanCommands();
+  VulkanCommands(const VulkanCommands&) = delete;
+  VulkanCommands& operator=(const VulkanCommands&) = delete;
 
   // Records what `record` does, submits it and waits for its end. A GpuError if the device fails.
   void Run(const std::function<void(VkCommandBuffer)>& record);
@@ -35,12 +35,12 @@ class GpuCommands {
 };
 
 // From layout UNDEFINED to GENERAL, in which images are between the calls below.
-void PrepareImage(VkCommandBuffer commands, const GpuImage& image);
+void PrepareImage(VkCommandBuffer commands, const VulkanImage& image);
 // Afterwards shaders can read the image.
-void CopyToImage(VkCommandBuffer commands, const GpuBuffer& from, const GpuImage& to);
+void CopyToImage(VkCommandBuffer commands, const VulkanBuffer& from, const VulkanImage& to);
 // Every word of the buffer becomes `value`, which shaders can read then.
-void FillBuffer(VkCommandBuffer commands, const GpuBuffer& buffer, std::uint32_t value);
+void FillBuffer(VkCommandBuffer commands, const VulkanBuffer& buffer, std::uint32_t value);
 // Results that shaders stored. The processor can read the buffer when the commands ended.
-void CopyToBuffer(VkCommandBuffer commands, const GpuImage& from, const GpuBuffer& to);
+void CopyToBuffer(VkCommandBuffer commands, const VulkanImage& from, const VulkanBuffer& to);
 
 }  // namespace warplut

@@ -1,4 +1,4 @@
-#include "tools/vulkan_modes.h"
+#include "tools/gpu_modes.h"
 
 #include "datasets/error.h"
 #include "runtime/gpu/gpu_frame_generation.h"
@@ -7,9 +7,12 @@
 namespace warplut {
 namespace {
 
-class VulkanSuperResolution final : public SuperResolutionPasses {
+constexpr const char* kOneRenderSize =
+    "the render size varies; the GPU has super resolution of one size";
+
+class SuperResolutionOnGpu final : public SuperResolutionPasses {
  public:
-  VulkanSuperResolution(const VulkanDevice& device, const SuperResolutionOptions& options,
+  SuperResolutionOnGpu(const GpuDevice& device, const SuperResolutionOptions& options,
                         bool makes_geometry)
       : passes_(device, options, {}, makes_geometry) {}
 
@@ -18,16 +21,16 @@ class VulkanSuperResolution final : public SuperResolutionPasses {
   }
   OutputGeometry Geometry() override { return passes_.Geometry(); }
   void SetRenderSize(int, int) override {
-    throw Error("the render size varies; the GPU has super resolution of one size");
+    throw Error(kOneRenderSize);
   }
 
  private:
   GpuSuperResolution passes_;
 };
 
-class VulkanFrameGeneration final : public FrameGenerationPasses {
+class FrameGenerationOnGpu final : public FrameGenerationPasses {
  public:
-  VulkanFrameGeneration(const VulkanDevice& device, const FrameGenerationOptions& options,
+  FrameGenerationOnGpu(const GpuDevice& device, const FrameGenerationOptions& options,
                         PixelFormat color)
       : passes_(device, options, GeneratedFormat(color)) {}
 
@@ -46,18 +49,27 @@ class VulkanFrameGeneration final : public FrameGenerationPasses {
 
 }  // namespace
 
-std::unique_ptr<SuperResolutionPasses> VulkanModes::MakeSuperResolution(
-    const SuperResolutionOptions& options, bool makes_geometry) {
-  std::string why;
-  if (!GpuSuperResolution::IsRunnable(device_, options, &why)) throw Error(why);
-  return std::make_unique<VulkanSuperResolution>(device_, options, makes_geometry);
+bool GpuModes::IsRunnable(const SuperResolutionOptions& options, bool varies,
+                          std::string* why) const {
+  if (varies) {
+    *why = kOneRenderSize;
+    return false;
+  }
+  return GpuSuperResolution::IsRunnable(device_, options, why);
 }
 
-std::unique_ptr<FrameGenerationPasses> VulkanModes::MakeFrameGeneration(
+bool GpuModes::IsRunnable(const FrameGenerationOptions& options, std::string* why) const {
+  return GpuFrameGeneration::IsRunnable(device_, options, why);
+}
+
+std::unique_ptr<SuperResolutionPasses> GpuModes::MakeSuperResolution(
+    const SuperResolutionOptions& options, bool makes_geometry) {
+  return std::make_unique<SuperResolutionOnGpu>(device_, options, makes_geometry);
+}
+
+std::unique_ptr<FrameGenerationPasses> GpuModes::MakeFrameGeneration(
     const FrameGenerationOptions& options, PixelFormat color) {
-  std::string why;
-  if (!GpuFrameGeneration::IsRunnable(device_, options, &why)) throw Error(why);
-  return std::make_unique<VulkanFrameGeneration>(device_, options, color);
+  return std::make_unique<FrameGenerationOnGpu>(device_, options, color);
 }
 
 }  // namespace warplut

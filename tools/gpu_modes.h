@@ -1,25 +1,30 @@
 // The passes of a run on a GPU.
 #pragma once
 
-#include "runtime/gpu/vulkan_device.h"
+#include "runtime/gpu/gpu_device.h"
 #include "train/replay/mode_device.h"
 
 namespace warplut {
 
 // Frames pass through the memory of the processor from one object to the other, as displayed frames
 // do between SuperResolution and FrameGeneration.
-class VulkanModes final : public ModeDevice {
+class GpuModes final : public ModeDevice {
  public:
-  // The device outlives what is made.
-  explicit VulkanModes(const VulkanDevice& device) : device_(device) {}
+  // `name` is that of --device. The device outlives what is made.
+  GpuModes(std::string name, const GpuDevice& device) : name_(std::move(name)), device_(device) {}
 
+  const std::string& name() const override { return name_; }
+  bool IsRunnable(const SuperResolutionOptions& options, bool varies,
+                  std::string* why) const override;
+  bool IsRunnable(const FrameGenerationOptions& options, std::string* why) const override;
   std::unique_ptr<SuperResolutionPasses> MakeSuperResolution(const SuperResolutionOptions& options,
                                                              bool makes_geometry) override;
   std::unique_ptr<FrameGenerationPasses> MakeFrameGeneration(const FrameGenerationOptions& options,
                                                              PixelFormat color) override;
 
  private:
-  const VulkanDevice& device_;
+  std::string name_;
+  const GpuDevice& device_;
 };
 
 }  // namespace warplut

@@ -1,40 +1,45 @@
-#include "runtime/gpu/compute_pass.h"
+#include "runtime/gpu/vulkan/vulkan_pass.h"
 
 namespace warplut {
 namespace {
 
-std::uint32_t Groups(int size, int group) {
-  return static_cast<std::uint32_t>((size + group - 1) / group);
-}
-
-VkDescriptorType TypeOf(const PassResource& resource) {
-  if (resource.buffer != VK_NULL_HANDLE) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-  return resource.stored ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
-                         : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+VkDescriptorType TypeOf(Binding::Use use) {
+  switch (use) {
+    case Binding::Use::kSampled:
+      return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case Binding::Use::kStored:
+      return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    case Binding::Use::kBuffer:
+      break;
+  }
+  return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
 }  // namespace
 
-ComputePass::ComputePass(const VulkanDevice& device, const PassOptions& options, VkSampler sampler)
+VulkanPass::VulkanPass(const VulkanDevice& device, const VulkanResources& resources,
+                       const PassPlan& plan, std::span<const std::uint32_t> spirv,
+                       VkSampler sampler)
     : device_(device),
-      name_(options.name),
-      numbers_bytes_(options.numbers_bytes),
-      groups_x_(Groups(options.width, options.group_width)),
-      groups_y_(Groups(options.height, options.group_height)) {
+      name_(plan.name),
+      numbers_bytes_(plan.numbers_bytes),
+      groups_x_(static_cast<std::uint32_t>(plan.groups_x())),
+      groups_y_(static_cast<std::uint32_t>(plan.groups_y())) {
   try {
-    CreateLayouts(options);
-    CreatePipeline(options);
-    CreateSets(options);
-    for (std::size_t i = 0; i < sets_.size(); ++i) WriteSet(options.sets[i], sets_[i], sampler);
+    CreateLayouts(plan);
+    CreatePipeline(plan, spirv);
+    CreateSets(plan);
+    for (std::size_t i = 0; i < sets_.size(); ++i)
+      WriteSet(resources, plan.sets[i], sets_[i], sampler);
   } catch (...) {
     Destroy();
     throw;
   }
 }
 
-ComputePass::~ComputePass() { Destroy(); }
+VulkanPass::~VulkanPass() { Destroy(); }
 
-void ComputePass::Destroy() {
+void VulkanPass::Destroy() {
   const VkDevice device = device_.handle();
   vkDestroyDescriptorPool(device, pool_, nullptr);
   vkDestroyPipeline(device, pipeline_, nullptr);
@@ -42,11 +47,11 @@ void ComputePass::Destroy() {
   vkDestroyDescriptorSetLayout(device, set_layout_, nullptr);
 }
 
-void ComputePass::CreateLayouts(const PassOptions& options) {
+void VulkanPass::CreateLayouts(const PassPlan& plan) {
   std::vector<VkDescriptorSetLayoutBinding> bindings;
-  const std::vector<PassResource>& resources = options.sets.front();
-  for (std::size_t i = 0; i < resources.size(); ++i) {
-    bindings.push_back({static_cast<std::uint32_t>(i), TypeOf(resources[i]), 1,
+  const std::vector<Binding>& first = plan.sets.front();
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    bindings.push_back({static_cast<std::uint32_t>(i), TypeOf(first[i].use), 1,
                         VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
   }
   const VkDescriptorSetLayoutCreateInfo set = {
@@ -70,22 +75,22 @@ void ComputePass::CreateLayouts(const PassOptions& options) {
               std::string("to lay out the pass ") + name_);
 }
 
-void ComputePass::CreatePipeline(const PassOptions& options) {
+void VulkanPass::CreatePipeline(const PassPlan& plan, std::span<const std::uint32_t> spirv) {
   const VkShaderModuleCreateInfo module_info = {
       .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
       .pNext = nullptr,
       .flags = 0,
-      .codeSize = options.spirv.size_bytes(),
-      .pCode = options.spirv.data()};
+      .codeSize = spirv.size_bytes(),
+      .pCode = spirv.data()};
   VkShaderModule module = VK_NULL_HANDLE;
   CheckVulkan(vkCreateShaderModule(device_.handle(), &module_info, nullptr, &module),
               std::string("to take the shader of the pass ") + name_);
   std::vector<VkSpecializationMapEntry> entries;
-  for (std::uint32_t i = 0; i < options.constants.size(); ++i)
+  for (std::uint32_t i = 0; i < plan.constants.size(); ++i)
     entries.push_back({i, i * 4, sizeof(std::int32_t)});
   const VkSpecializationInfo specialization = {
       static_cast<std::uint32_t>(entries.size()), entries.data(),
-      options.constants.size() * sizeof(std::int32_t), options.constants.data()};
+      plan.constants.size() * sizeof(std::int32_t), plan.constants.data()};
   const VkPipelineShaderStageCreateInfo stage = {
       .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
       .pNext = nullptr,
@@ -107,9 +112,9 @@ void ComputePass::CreatePipeline(const PassOptions& options) {
   CheckVulkan(result, std::string("to compile the pass ") + name_);
 }
 
-void ComputePass::CreateSets(const PassOptions& options) {
-  const auto sets = static_cast<std::uint32_t>(options.sets.size());
-  const auto count = sets * static_cast<std::uint32_t>(options.sets.front().size());
+void VulkanPass::CreateSets(const PassPlan& plan) {
+  const auto sets = static_cast<std::uint32_t>(plan.sets.size());
+  const auto count = sets * static_cast<std::uint32_t>(plan.sets.front().size());
   const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count},
                                         {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count},
                                         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count}};
@@ -132,21 +137,26 @@ void ComputePass::CreateSets(const PassOptions& options) {
               "to make descriptors");
 }
 
-void ComputePass::WriteSet(const std::vector<PassResource>& resources, VkDescriptorSet set,
-                           VkSampler sampler) {
-  for (std::size_t i = 0; i < resources.size(); ++i) {
-    const PassResource& resource = resources[i];
-    const VkDescriptorImageInfo image = {resource.stored ? VK_NULL_HANDLE : sampler, resource.view,
-                                         VK_IMAGE_LAYOUT_GENERAL};
-    const VkDescriptorBufferInfo buffer = {resource.buffer, 0, VK_WHOLE_SIZE};
-    const bool is_buffer = resource.buffer != VK_NULL_HANDLE;
+void VulkanPass::WriteSet(const VulkanResources& resources, const std::vector<Binding>& bindings,
+                          VkDescriptorSet set, VkSampler sampler) {
+  for (std::size_t i = 0; i < bindings.size(); ++i) {
+    const Binding& binding = bindings[i];
+    const bool is_buffer = binding.use == Binding::Use::kBuffer;
+    VkDescriptorImageInfo image = {VK_NULL_HANDLE, VK_NULL_HANDLE, VK_IMAGE_LAYOUT_GENERAL};
+    VkDescriptorBufferInfo buffer = {VK_NULL_HANDLE, 0, VK_WHOLE_SIZE};
+    if (is_buffer) {
+      buffer.buffer = resources.buffer(binding.index).buffer;
+    } else {
+      image.imageView = resources.image(binding.index).view;
+      if (binding.use == Binding::Use::kSampled) image.sampler = sampler;
+    }
     const VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                         .pNext = nullptr,
                                         .dstSet = set,
                                         .dstBinding = static_cast<std::uint32_t>(i),
                                         .dstArrayElement = 0,
                                         .descriptorCount = 1,
-                                        .descriptorType = TypeOf(resource),
+                                        .descriptorType = TypeOf(binding.use),
                                         .pImageInfo = is_buffer ? nullptr : &image,
                                         .pBufferInfo = is_buffer ? &buffer : nullptr,
                                         .pTexelBufferView = nullptr};
@@ -154,7 +164,7 @@ void ComputePass::WriteSet(const std::vector<PassResource>& resources, VkDescrip
   }
 }
 
-void ComputePass::Record(VkCommandBuffer commands, const void* numbers, std::size_t set) const {
+void VulkanPass::Record(VkCommandBuffer commands, const void* numbers, std::size_t set) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 1, &sets_[set], 0,
                           nullptr);

@@ -1,0 +1,48 @@
+// One compute shader with its specialisation, its resources and its dispatch.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/gpu/vulkan/vulkan_resources.h"
+
+namespace warplut {
+
+class VulkanPass {
+ public:
+  // The plan's bindings are indices of `resources`, whose images are in layout GENERAL. The device,
+  // the resources and the sampler outlive the pass. A GpuError if the device does not take the
+  // shader.
+  VulkanPass(const VulkanDevice& device, const VulkanResources& resources, const PassPlan& plan,
+             std::span<const std::uint32_t> spirv, VkSampler sampler);
+  ~VulkanPass();
+  VulkanPass(const VulkanPass&) = delete;
+  VulkanPass& operator=(const VulkanPass&) = delete;
+
+  const char* name() const { return name_; }
+
+  // Records the dispatch, and a barrier after which what it stored can be read.
+  void Record(VkCommandBuffer commands, const void* numbers, std::size_t set = 0) const;
+
+ private:
+  void CreateLayouts(const PassPlan& plan);
+  void CreatePipeline(const PassPlan& plan, std::span<const std::uint32_t> spirv);
+  void CreateSets(const PassPlan& plan);
+  void WriteSet(const VulkanResources& resources, const std::vector<Binding>& bindings,
+                VkDescriptorSet set, VkSampler sampler);
+  void Destroy();
+
+  const VulkanDevice& device_;
+  const char* name_;
+  std::size_t numbers_bytes_;
+  std::uint32_t groups_x_, groups_y_;
+  VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  VkDescriptorPool pool_ = VK_NULL_HANDLE;
+  std::vector<VkDescriptorSet> sets_;
+};
+
+}  // namespace warplut
