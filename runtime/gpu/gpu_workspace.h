@@ -37,7 +37,7 @@ constexpr Binding Buffer(int buffer) { return {buffer, Binding::Use::kBuffer}; }
 
 struct PassPlan {
   const char* name = "";
-  Shader shader;
+  Shader shader = Shader::kPrefilter;
   // constant_id 0, 1, ...; booleans are 0 or 1. Those that the shader lacks do nothing.
   std::vector<std::int32_t> constants;
   // Bindings 0, 1, ... of each set of resources that the pass is run with: buffers and images that

@@ -26,10 +26,10 @@ layout(push_constant) uniform PrefilterNumbers {
 
 shared float tile[kLines * kStride * 3];
 
+// For i of at least -kLargestPrefilterReach; the remainder of a negative number is not defined.
 int Mirrored(int i, int size) {
   int period = 2 * size;
-  int inside = i % period;
-  if (inside < 0) inside += period;
+  int inside = (i + kLargestPrefilterReach * period) % period;
   return inside < size ? inside : period - 1 - inside;
 }
 

@@ -13,8 +13,8 @@
 #include "luts/bake/table_texture.h"
 #include "luts/half.h"
 #include "luts/quantize/quantize.h"
-#include "runtime/gpu/compute_pass.h"
-#include "runtime/gpu/gpu_commands.h"
+#include "runtime/gpu/vulkan/vulkan_commands.h"
+#include "runtime/gpu/vulkan/vulkan_pass.h"
 #include "runtime/prefilter.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/luts/test_fits.h"
@@ -135,24 +135,19 @@ TEST_P(BakedShaderTest, GivesTheTestVectors) {
   const int count = static_cast<int>(vectors.size());
   ASSERT_GT(count, 0);
 
-  GpuResources resources(device());
-  constexpr VkFormat kRgba = VK_FORMAT_R32G32B32A32_SFLOAT;
-  const int images[] = {resources.AddImage(kRgba, 6 * count, 6),
-                        resources.AddImage(kRgba, count, 1),
-                        resources.AddImage(kRgba, kRowLength, 1),
-                        resources.AddImage(kRgba, kRowLength, count + 1),
-                        resources.AddImage(kRgba, kTableNodes, kTableNodes, 4),
-                        resources.AddImage(kRgba, 2 * kVectors, 1)};
-  std::vector<int> buffers;
-  for (const int i : images) {
-    const GpuImage& image = resources.image(i);
-    buffers.push_back(resources.AddBuffer(
-        16 * static_cast<std::size_t>(image.width * image.height * std::max(image.layers, 1))));
-  }
-  resources.Allocate();
-  const auto floats = [&](int i) {
-    return reinterpret_cast<float*>(resources.buffer(buffers[static_cast<std::size_t>(i)]).bytes);
-  };
+  const auto& vulkan = dynamic_cast<const VulkanDevice&>(device());
+  // In the order of their bindings; the fourth is stored to.
+  constexpr TexelFormat kRgba = TexelFormat::kRgba32F;
+  const std::vector<ImagePlan> images = {{kRgba, 6 * count, 6},
+                                         {kRgba, count, 1},
+                                         {kRgba, kRowLength, 1},
+                                         {kRgba, kRowLength, count + 1},
+                                         {kRgba, kTableNodes, kTableNodes, 4},
+                                         {kRgba, 2 * kVectors, 1}};
+  std::vector<BufferPlan> buffers;
+  for (const ImagePlan& image : images) buffers.push_back({image.bytes()});
+  const VulkanResources resources(vulkan, images, buffers);
+  const auto floats = [&](int i) { return reinterpret_cast<float*>(resources.buffer(i).bytes); };
   for (int v = 0; v < count; ++v) {
     for (int k = 0; k < 36; ++k)
       floats(0)[4 * (k / 6 * 6 * count + 6 * v + k % 6)] = vectors[v]["patch"][k];
@@ -180,29 +175,27 @@ TEST_P(BakedShaderTest, GivesTheTestVectors) {
   VkSamplerCreateInfo sampling = {};
   sampling.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
   sampling.maxAnisotropy = 1;
-  CheckVulkan(vkCreateSampler(device().handle(), &sampling, nullptr, &sampler), "to test");
+  CheckVulkan(vkCreateSampler(vulkan.handle(), &sampling, nullptr, &sampler), "to test");
   {
-    PassOptions options = {.name = "test",
-                           .spirv = code,
-                           .constants = {},
-                           .sets = {},
-                           .numbers_bytes = 4,
-                           .width = kRowLength,
-                           .height = count + 1};
-    options.sets.resize(1);
-    for (const int i : images)
-      options.sets[0].push_back({.view = resources.image(i).view, .stored = i == images[3]});
-    const ComputePass pass(device(), options, sampler);
-    GpuCommands commands(device(), 1);
+    PassPlan plan = {.name = "test",
+                     .constants = {},
+                     .sets = {},
+                     .numbers_bytes = 4,
+                     .width = kRowLength,
+                     .height = count + 1};
+    plan.sets.resize(1);
+    for (int i = 0; i < 6; ++i) plan.sets[0].push_back(i == 3 ? Stored(i) : Sampled(i));
+    const VulkanPass pass(vulkan, resources, plan, code, sampler);
+    VulkanCommands commands(vulkan, 1);
     commands.Run([&](VkCommandBuffer recorded) {
-      for (const GpuImage& image : resources.images()) PrepareImage(recorded, image);
-      for (const std::size_t i : {0, 1, 2, 4, 5})
-        CopyToImage(recorded, resources.buffer(buffers[i]), resources.image(images[i]));
+      for (const VulkanImage& image : resources.images()) PrepareImage(recorded, image);
+      for (const int i : {0, 1, 2, 4, 5})
+        CopyToImage(recorded, resources.buffer(i), resources.image(i));
       pass.Record(recorded, &count);
-      CopyToBuffer(recorded, resources.image(images[3]), resources.buffer(buffers[3]));
+      CopyToBuffer(recorded, resources.image(3), resources.buffer(3));
     });
   }
-  vkDestroySampler(device().handle(), sampler, nullptr);
+  vkDestroySampler(vulkan.handle(), sampler, nullptr);
 
   const float* result = floats(3);
   for (int v = 0; v < count; ++v) {

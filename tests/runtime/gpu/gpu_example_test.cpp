@@ -1,4 +1,4 @@
-// The example for GPUs beside that for the processor.
+// The example for GPUs beside that for the processor, on the API of this program.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -10,15 +10,30 @@
 namespace warplut {
 namespace {
 
-// The number behind "PSNR " of what a program prints, in dB.
-double PrintedPsnr(const char* program) {
-  FILE* pipe = popen(program, "r");
+struct Printed {
   std::string text;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
-  EXPECT_EQ(pclose(pipe), 0) << program;
-  const std::size_t at = text.find("PSNR ");
-  EXPECT_NE(at, std::string::npos) << text;
-  return at == std::string::npos ? 0 : std::strtod(text.c_str() + at + 5, nullptr);
+  int code = 0;
+};
+
+Printed OutputOf(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  Printed printed;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
+    printed.text += static_cast<char>(c);
+  printed.code = WEXITSTATUS(pclose(pipe));
+  return printed;
+}
+
+const std::string kGpuExample =
+    std::string(GPU_EXAMPLE) + (kTestedApi == GpuApi::kGles ? " gles" : "");
+
+// The number behind "PSNR " of what a program prints, in dB.
+double PrintedPsnr(const std::string& program) {
+  const Printed printed = OutputOf(program);
+  EXPECT_EQ(printed.code, 0) << program;
+  const std::size_t at = printed.text.find("PSNR ");
+  EXPECT_NE(at, std::string::npos) << printed.text;
+  return at == std::string::npos ? 0 : std::strtod(printed.text.c_str() + at + 5, nullptr);
 }
 
 class GpuExample : public GpuTest {};
@@ -26,18 +41,20 @@ class GpuExample : public GpuTest {};
 TEST_F(GpuExample, IsAsGoodAsTheProcessors) {
   const double cpu = PrintedPsnr(CPU_EXAMPLE);
   EXPECT_GT(cpu, 20);
-  EXPECT_GT(PrintedPsnr(GPU_EXAMPLE), cpu - 0.02);
+  EXPECT_GT(PrintedPsnr(kGpuExample), cpu - 0.02);
 }
 
 // A loader that finds no driver: one sentence, not a crash.
 TEST(GpuExampleWithoutDevice, EndsWithASentence) {
-  const std::string command =
-      std::string("VK_ICD_FILENAMES=/none VK_DRIVER_FILES=/none ") + GPU_EXAMPLE + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
-  EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 2);
-  EXPECT_NE(text.find("there is no Vulkan"), std::string::npos) << text;
+  const bool is_gles = kTestedApi == GpuApi::kGles;
+  const Printed printed =
+      OutputOf((is_gles ? "__EGL_VENDOR_LIBRARY_FILENAMES=/none "
+                        : "VK_ICD_FILENAMES=/none VK_DRIVER_FILES=/none ") +
+               kGpuExample);
+  EXPECT_EQ(printed.code, 2);
+  EXPECT_EQ(printed.text.find(is_gles ? "there is no OpenGL ES" : "there is no Vulkan"), 0U)
+      << printed.text;
+  EXPECT_EQ(printed.text.find('\n'), printed.text.size() - 1);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A device for tests, with the validation layers where they are installed; and how far GPU frames
-// may be from those of the processor.
+// A device for tests, which tells of wrong calls where it can (the validation layers of Vulkan, a
+// debug context of OpenGL ES); and how far GPU frames may be from those of the processor.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,6 +29,9 @@ struct GpuBound {
 inline constexpr GpuBound kGpuBound32{2e-6, 1e-4, 1e-3};
 inline constexpr GpuBound kGpuBound16{1.5e-3, 1.2e-2, 2e-3};
 
+// Each API has its own program of the same tests.
+inline constexpr GpuApi kTestedApi = GpuApi::TESTED_API;
+
 class GpuTest : public testing::Test {
  protected:
   // One device for all tests of the program: drivers start slowly.
@@ -36,7 +39,7 @@ class GpuTest : public testing::Test {
     if (device_ != nullptr || !reason_.empty()) return;
     for (const bool validate : {true, false}) {
       try {
-        device_ = std::make_unique<VulkanDevice>(DeviceOptions{.validate = validate});
+        device_ = OpenGpuDevice(kTestedApi, {.validate = validate});
         return;
       } catch (const GpuError& error) {
         reason_ = error.what();
@@ -51,14 +54,21 @@ class GpuTest : public testing::Test {
   void TearDown() override {
     if (device_ == nullptr) return;
     for (std::size_t i = seen_; i < device_->messages().size(); ++i)
-      ADD_FAILURE() << "validation layers: " << device_->messages()[i];
+      ADD_FAILURE() << "the device tells: " << device_->messages()[i];
     seen_ = device_->messages().size();
   }
 
-  static const VulkanDevice& device() { return *device_; }
+  // A test that makes wrong calls tells how many; without messages the device tells of none.
+  static void ExpectMessages(std::size_t count) {
+    const std::size_t found = device_->messages().size() - seen_;
+    EXPECT_TRUE(found == count || found == 0) << found;
+    seen_ = device_->messages().size();
+  }
+
+  static const GpuDevice& device() { return *device_; }
 
  private:
-  static inline std::unique_ptr<VulkanDevice> device_;
+  static inline std::unique_ptr<GpuDevice> device_;
   static inline std::string reason_;
   static inline std::size_t seen_ = 0;
 };

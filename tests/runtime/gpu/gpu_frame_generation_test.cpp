@@ -268,7 +268,7 @@ TEST_F(GpuFrameGenerationTest, TimesEveryPass) {
   EXPECT_GT(gpu.MemoryBytes(), std::size_t{20 * 12 * 8 * 6});
   ImageBuffer out(20, 12, PixelFormat::kRgba8);
   gpu.Extrapolate(frame0.view(), frame1.view(), 0.5f, out.view());
-  if (device().tick() <= 0) GTEST_SKIP() << device().name() << " has no timestamps";
+  if (!device().has_times()) GTEST_SKIP() << device().name() << " has no timestamps";
   std::vector<std::string> names;
   for (const PassTime& time : gpu.Times()) {
     names.push_back(time.pass);

@@ -41,8 +41,8 @@ class GpuInputs : public GpuTest {};
 TEST_F(GpuInputs, AreConvertedInTheLoad) {
   const SuperResolutionOptions options = InputOptions();
   InputConventions stored = InputConventions::DepthBuffer(0.1f, 100.0f, true);
-  stored.color_format = VK_FORMAT_B10G11R11_UFLOAT_PACK32;
-  stored.motion_format = VK_FORMAT_R16G16_SFLOAT;
+  stored.color_format = TexelFormat::kR11G11B10F;
+  stored.motion_format = TexelFormat::kRg16F;
   stored.motion_scale_x = -kWidth / 2.0f;
   stored.motion_scale_y = kHeight / 2.0f;
   SerialExecutor executor;
@@ -81,10 +81,16 @@ TEST_F(GpuInputs, AreConvertedInTheLoad) {
   }
 }
 
-TEST_F(GpuInputs, AFormatThatTheHostLacksIsRefused) {
+TEST(InputConventions, RefusesFormatsThatItDoesNotList) {
   InputConventions stored;
-  stored.color_format = VK_FORMAT_R8_UNORM;
-  EXPECT_THROW(GpuSuperResolution(device(), InputOptions(), stored), GpuError);
+  std::string why;
+  EXPECT_TRUE(stored.IsValid(&why)) << why;
+  stored.motion_format = TexelFormat::kR32F;
+  EXPECT_FALSE(stored.IsValid(&why));
+  EXPECT_EQ(why, "the format of motion is r32f; expected rg32f or rg16f");
+  stored.color_format = TexelFormat::kRg16F;
+  EXPECT_FALSE(stored.IsValid(&why));
+  EXPECT_EQ(why, "the format of colour is rg16f; expected rgba32f, rgba16f, rgba8 or r11g11b10f");
 }
 
 // Depth and motion on the output grid are those of the processor, NaN where there is no motion.

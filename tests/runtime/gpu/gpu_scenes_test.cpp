@@ -11,7 +11,7 @@
 #include "tests/runtime/gpu/gpu_fixture.h"
 #include "tools/judge/sequence_scores.h"
 #include "tools/scene_rendering.h"
-#include "tools/vulkan_modes.h"
+#include "tools/gpu_modes.h"
 #include "train/replay/judged_frames.h"
 
 namespace warplut {
@@ -147,7 +147,7 @@ TEST_P(GpuScenesTest, FramesAndScoresAreThoseOfTheProcessor) {
   const auto [scene, mode] = GetParam();
   SceneClips clips = ClipsOf(scene);
   const Table table(baked::kWarplutIirX2);
-  VulkanModes modes(device());
+  GpuModes modes("gpu", device());
   ModeRunOptions options;
   options.method = FindMethod(mode);
   const bool generates = options.method->generation != Generation::kNone;
