@@ -13,16 +13,14 @@ constexpr const char* kOneRenderSize =
 class SuperResolutionOnGpu final : public SuperResolutionPasses {
  public:
   SuperResolutionOnGpu(const GpuDevice& device, const SuperResolutionOptions& options,
-                        bool makes_geometry)
+                       bool makes_geometry)
       : passes_(device, options, {}, makes_geometry) {}
 
   void Process(const RenderedFrame& frame, const MutableImageView& out) override {
     passes_.Process(frame, out);
   }
   OutputGeometry Geometry() override { return passes_.Geometry(); }
-  void SetRenderSize(int, int) override {
-    throw Error(kOneRenderSize);
-  }
+  void SetRenderSize(int, int) override { throw Error(kOneRenderSize); }
 
  private:
   GpuSuperResolution passes_;
@@ -31,7 +29,7 @@ class SuperResolutionOnGpu final : public SuperResolutionPasses {
 class FrameGenerationOnGpu final : public FrameGenerationPasses {
  public:
   FrameGenerationOnGpu(const GpuDevice& device, const FrameGenerationOptions& options,
-                        PixelFormat color)
+                       PixelFormat color)
       : passes_(device, options, GeneratedFormat(color)) {}
 
   void Interpolate(const DisplayedFrame& frame0, const DisplayedFrame& frame1, float alpha,

@@ -8,7 +8,7 @@ set -eu
 
 # The one list of packages. openimageio-tools: the CMake package of libopenimageio-dev names its
 # programs. Those from glslang-tools on are of the GPU passes, which are left out without them, and
-# of their tests, which run on a processor by lavapipe.
+# of their tests, which run on a processor by lavapipe and llvmpipe.
 packages="
   g++ cmake ninja-build
   libceres-dev libeigen3-dev
@@ -23,6 +23,7 @@ packages="
   glslang-tools spirv-tools spirv-cross
   libvulkan-dev libvulkan-volk-dev
   mesa-vulkan-drivers vulkan-validationlayers
+  libegl-dev libgles-dev libgl1-mesa-dri
 "
 
 arm64_packages="

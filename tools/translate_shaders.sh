@@ -2,7 +2,8 @@
 # Translates the compute shaders of the build into the languages of engines, and checks each result
 # where a compiler for it is installed. usage: tools/translate_shaders.sh OUT [BUILD]
 #   OUT     folder for the files: NAME.spv (Vulkan 1.1), NAME.es310.comp (OpenGL ES 3.1),
-#           NAME.gl430.comp (OpenGL 4.3), NAME.hlsl (shader model 6), NAME.metal (Metal 2)
+#           NAME.gl430.comp (OpenGL 4.3), NAME.hlsl (shader model 6), NAME.metal (Metal 2);
+#           push constants are uniform block 0 of both OpenGLs
 #   BUILD   build with GPU passes (default: build/release)
 # Ends with 77 if spirv-cross or spirv-val (Debian: spirv-cross, spirv-tools) is missing. HLSL is
 # checked by glslangValidator, as DXC and FXC are no Debian packages; Metal is not checked.
@@ -45,9 +46,9 @@ for spv in "$shaders"/*.spv; do
   check spirv-val --target-env vulkan1.1 "$spv"
   check spirv-opt --target-env=vulkan1.1 -O "$spv" -o "$out/$name.spv"
   check spirv-val --target-env vulkan1.1 "$out/$name.spv"
-  check spirv-cross "$spv" --es --version 310 --output "$out/$name.es310.comp"
+  check spirv-cross "$spv" --es --version 310 --glsl-emit-push-constant-as-ubo --output "$out/$name.es310.comp"
   check glslangValidator "$out/$name.es310.comp"
-  check spirv-cross "$spv" --no-es --version 430 --output "$out/$name.gl430.comp"
+  check spirv-cross "$spv" --no-es --version 430 --glsl-emit-push-constant-as-ubo --output "$out/$name.gl430.comp"
   check glslangValidator "$out/$name.gl430.comp"
   check spirv-cross "$spv" --hlsl --shader-model 60 --output "$out/$name.hlsl"
   check glslangValidator -D -e main -S comp -V "$out/$name.hlsl" -o "$log.spv"

@@ -203,10 +203,11 @@ vec4 @NAME@_sample(WARPLUT_IMAGE image, ivec2 size, vec2 position) {
 )";
 
 constexpr std::string_view kPrefilter = R"(
-// The texel that stands for i: the image is mirrored at its edges.
+// The texel that stands for i > -@TAPS@: the image is mirrored at its edges. The remainder of a
+// negative number is not defined.
 int @NAME@_mirrored(int i, int size) {
   int period = 2 * size;
-  int inside = (i % period + period) % period;
+  int inside = (i + @TAPS@ * period) % period;
   return inside < size ? inside : period - 1 - inside;
 }
 

@@ -36,6 +36,13 @@ struct GenerationNumbers {
 };
 static_assert(sizeof(GenerationNumbers) == 48);
 
+// As in shaders/warp.comp; a uniform block is a multiple of 16 bytes.
+struct WarpNumbers {
+  GpuInt2 output_size;
+  float filter_parameter, padding;
+};
+static_assert(sizeof(WarpNumbers) == 16);
+
 // As in shaders/prefilter.comp.
 struct PrefilterNumbers {
   GpuInt2 size;

@@ -166,8 +166,7 @@ const KindOfFrame& GpuFrameGeneration::State::PassesOf(bool interpolates) {
   return kind;
 }
 
-std::vector<std::vector<Binding>> GpuFrameGeneration::State::Sets(
-    bool generates) const {
+std::vector<std::vector<Binding>> GpuFrameGeneration::State::Sets(bool generates) const {
   std::vector<std::vector<Binding>> sets;
   for (std::size_t first = 0; first < kSlots; ++first) {
     const Slot &frame0 = slots[first], &frame1 = slots[1 - first];

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "runtime/frame_generation.h"
-#include "runtime/gpu/input_conventions.h"
 #include "runtime/gpu/gpu_workspace.h"
+#include "runtime/gpu/input_conventions.h"
 
 namespace warplut {
 
@@ -26,15 +26,15 @@ std::size_t SplatKeyBytes(const FrameGenerationOptions& options);
 class GpuFrameGeneration {
  public:
   // Whether the GPU has passes for the options, whose IsValid holds: a motion model of choices.h,
-  // and no peer. Also false where the device cannot hold the images or the keys. *why (if not null) is a
-  // sentence.
+  // and no peer. Also false where the device cannot hold the images or the keys. *why (if not null)
+  // is a sentence.
   static bool IsRunnable(const GpuDevice& device, const FrameGenerationOptions& options,
                          std::string* why = nullptr);
 
   // Runnable options; `format` is kRgba16F or kRgba32F, that of codes, coefficients and generated
   // frames. The table is copied. The motion filter runs on the processor, before the upload; with
-  // it the conventions must be the default ones, without it valid ones. The device outlives the object. A GpuError where
-  // memory cannot be had.
+  // it the conventions must be the default ones, without it valid ones. The device outlives the
+  // object. A GpuError where memory cannot be had.
   GpuFrameGeneration(const GpuDevice& device, const FrameGenerationOptions& options,
                      PixelFormat format, const InputConventions& conventions = {});
   ~GpuFrameGeneration();

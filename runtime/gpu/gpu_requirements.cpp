@@ -16,8 +16,7 @@ constexpr const char* kNoPeers =
     "the options name a peer; the GPU has the passes of super resolution and frame generation";
 
 // Whether the device holds images of this size and stores to those of the formats.
-bool Holds(const GpuDevice& device, int width, int height, PixelFormat format,
-           std::string* why) {
+bool Holds(const GpuDevice& device, int width, int height, PixelFormat format, std::string* why) {
   // Positions are whole numbers below 2^31 (shaders/super_resolution.glsl).
   constexpr int kLargestExact = 1 << 14;
   const int most = std::min(device.largest_image(), kLargestExact);
@@ -39,8 +38,8 @@ bool Holds(const GpuDevice& device, int width, int height, PixelFormat format,
 
 }  // namespace
 
-bool GpuSuperResolution::IsRunnable(const GpuDevice& device,
-                                    const SuperResolutionOptions& options, std::string* why) {
+bool GpuSuperResolution::IsRunnable(const GpuDevice& device, const SuperResolutionOptions& options,
+                                    std::string* why) {
   if (options.peer != nullptr) return Refused(kNoPeers, why);
   if (options.reactive) {
     return Refused("the options have a reactive mask; the GPU has super resolution without one",
@@ -55,8 +54,8 @@ bool GpuSuperResolution::IsRunnable(const GpuDevice& device,
   return Holds(device, options.output_width, options.output_height, format, why);
 }
 
-bool GpuFrameGeneration::IsRunnable(const GpuDevice& device,
-                                    const FrameGenerationOptions& options, std::string* why) {
+bool GpuFrameGeneration::IsRunnable(const GpuDevice& device, const FrameGenerationOptions& options,
+                                    std::string* why) {
   if (options.peer != nullptr) return Refused(kNoPeers, why);
   const MotionModel model = ModelOf(options);
   if (model != MotionModel::kLinear && model != MotionModel::kQuadratic &&

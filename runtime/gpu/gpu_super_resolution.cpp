@@ -131,14 +131,14 @@ int GpuSuperResolution::State::AddPass(const char* name, Shader shader,
   for (const int i : stored) bindings.push_back(Stored(i));
   for (const int i : sampled) bindings.push_back(Sampled(i));
   return gpu->AddPass({.name = name,
-                     .shader = shader,
-                     .constants = Constants(),
-                     .sets = {bindings},
-                     .numbers_bytes = sizeof(FrameNumbers),
-                     .width = width,
-                     .height = height,
-                     .group_width = group,
-                     .group_height = group});
+                       .shader = shader,
+                       .constants = Constants(),
+                       .sets = {bindings},
+                       .numbers_bytes = sizeof(FrameNumbers),
+                       .width = width,
+                       .height = height,
+                       .group_width = group,
+                       .group_height = group});
 }
 
 void GpuSuperResolution::State::AddPasses() {

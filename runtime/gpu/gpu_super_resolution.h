@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/gpu/input_conventions.h"
 #include "runtime/gpu/gpu_workspace.h"
+#include "runtime/gpu/input_conventions.h"
 #include "runtime/super_resolution.h"
 
 namespace warplut {
@@ -23,9 +23,9 @@ class GpuSuperResolution {
                          std::string* why = nullptr);
 
   // Runnable options. The table is copied. The motion filter runs on the processor, before the
-  // upload; with it the conventions must be the default ones, without it valid ones. `makes_geometry`: Geometry will be
-  // called, which takes 20 bytes per output pixel. The device outlives the object. A GpuError where
-  // memory or a shader cannot be had.
+  // upload; with it the conventions must be the default ones, without it valid ones.
+  // `makes_geometry`: Geometry will be called, which takes 20 bytes per output pixel. The device
+  // outlives the object. A GpuError where memory or a shader cannot be had.
   GpuSuperResolution(const GpuDevice& device, const SuperResolutionOptions& options,
                      const InputConventions& conventions = {}, bool makes_geometry = false);
   ~GpuSuperResolution();

@@ -27,11 +27,13 @@ struct BufferPlan {
 
 // A resource at the next binding of a pass.
 struct Binding {
-  enum class Use : std::uint8_t { kSampled, kStored, kBuffer };
+  enum class Use : std::uint8_t { kSampled, kFiltered, kStored, kBuffer };
   int index;
   Use use;
 };
 constexpr Binding Sampled(int image) { return {image, Binding::Use::kSampled}; }
+// Linear between texels; of RGBA16F.
+constexpr Binding Filtered(int image) { return {image, Binding::Use::kFiltered}; }
 constexpr Binding Stored(int image) { return {image, Binding::Use::kStored}; }
 constexpr Binding Buffer(int buffer) { return {buffer, Binding::Use::kBuffer}; }
 

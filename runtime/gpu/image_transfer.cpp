@@ -18,9 +18,9 @@ void PackTexel(const float (&color)[4], TexelFormat format, std::byte* to) {
     std::memcpy(to, &texel, sizeof(texel));
     return;
   }
-  const PixelFormat pixel = format == TexelFormat::kRgba8   ? PixelFormat::kRgba8
+  const PixelFormat pixel = format == TexelFormat::kRgba8     ? PixelFormat::kRgba8
                             : format == TexelFormat::kRgba16F ? PixelFormat::kRgba16F
-                                                                      : PixelFormat::kRgba32F;
+                                                              : PixelFormat::kRgba32F;
   for (int c = 0; c < 4; ++c) StoreChannel(pixel, color[c] * ChannelScale(pixel), to, c);
 }
 

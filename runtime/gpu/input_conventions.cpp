@@ -9,8 +9,8 @@ bool InputConventions::IsValid(std::string* why) const {
     reason = std::string("the format of colour is ") + Name(color_format) +
              "; expected rgba32f, rgba16f, rgba8 or r11g11b10f";
   } else if (motion_format != TexelFormat::kRg32F && motion_format != TexelFormat::kRg16F) {
-    reason = std::string("the format of motion is ") + Name(motion_format) +
-             "; expected rg32f or rg16f";
+    reason =
+        std::string("the format of motion is ") + Name(motion_format) + "; expected rg32f or rg16f";
   }
   if (why != nullptr) *why = reason;
   return reason.empty();

@@ -19,7 +19,8 @@
   X(kGeometry, geometry)      \
   X(kEncode, encode)          \
   X(kSplat, splat)            \
-  X(kGenerate, generate)
+  X(kGenerate, generate)      \
+  X(kWarp, warp)
 
 namespace warplut {
 

@@ -76,8 +76,7 @@ class SequenceJudging {
     std::string text =
         fmt::format("{} {} {} {} {} {} {} {} {} {}", pipeline_.filter_name(), a.lookup, a.params,
                     a.generated, a.motion_filter, a.history, a.texels, options_.every,
-                    options_.border,
-                    options_.device != nullptr ? options_.device->name() : "");
+                    options_.border, options_.device != nullptr ? options_.device->name() : "");
     for (const float alpha : a.alphas) text += fmt::format(" {}", alpha);
     for (const MethodInfo* method : options_.methods) text += fmt::format(" {}", method->name);
     for (std::size_t s = 0; s < sequences_.size(); ++s) {

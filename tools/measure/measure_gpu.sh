@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the table of docs/results/gpu.md. usage: tools/measure/measure_gpu.sh [BUILD]
+# Makes the tables of docs/results/gpu.md. usage: tools/measure/measure_gpu.sh [BUILD]
 #   BUILD   build with GPU passes (default: build/release)
 set -eu
 cd "$(dirname "$0")/../.."
@@ -7,4 +7,5 @@ build=${1:-build/release}
 tables=$(mktemp -d)
 trap 'rm -r "$tables"' EXIT
 "$build/runtime/gpu/gpu_roofline" > "$tables/gpu-roofline.md"
+tools/measure/count_warp_work.sh "$build" > "$tables/gpu-warp.md"
 tools/measure/update_tables.sh "$tables"

@@ -64,8 +64,8 @@ void GlesDevice::Destroy() {
 
 void GlesDevice::CreateContext(const DeviceOptions& options) {
   const char* const platforms = egl_.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-  if (platforms == nullptr || std::string_view(platforms).find("EGL_MESA_platform_surfaceless") ==
-                                  std::string_view::npos) {
+  if (platforms == nullptr ||
+      std::string_view(platforms).find("EGL_MESA_platform_surfaceless") == std::string_view::npos) {
     throw GpuError("there is no OpenGL ES driver on this machine that works without a window");
   }
   display_ = egl_.GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
@@ -94,8 +94,7 @@ void GlesDevice::ReadLimits() {
   GLint64 bytes = 0;
   gl_.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
   largest_buffer_ = static_cast<std::size_t>(bytes);
-  const std::string_view extensions(
-      reinterpret_cast<const char*>(gl_.GetString(GL_EXTENSIONS)));
+  const std::string_view extensions(reinterpret_cast<const char*>(gl_.GetString(GL_EXTENSIONS)));
   has_times_ = extensions.find("GL_EXT_disjoint_timer_query") != std::string_view::npos;
   Check("to tell its limits");
 }

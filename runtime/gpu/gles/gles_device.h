@@ -1,4 +1,5 @@
-// An OpenGL ES 3.2 context for compute, without a surface: it needs no window and no display server.
+// An OpenGL ES 3.2 context for compute, without a surface: it needs no window and no display
+// server.
 #pragma once
 
 #include <mutex>
@@ -27,7 +28,8 @@ class GlesDevice final : public GpuDevice {
   std::unique_ptr<GpuWorkspace> MakeWorkspace(PixelFormat format) const override;
 
   const GlesApi& gl() const { return gl_; }
-  // A GpuError if a call since the last one failed; `what` was tried ("to run a frame"). In Current.
+  // In Current: a GpuError if a call since the last Check failed; `what` was tried ("to run a
+  // frame").
   void Check(const std::string& what) const;
 
   // While it exists the context is the calling thread's, and no other thread's. One at a time.

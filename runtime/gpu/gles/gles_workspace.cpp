@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t kChunkBytes = 1 << 20;
 
 // After a pass: what it stored is read by passes, copied, or overwritten.
-constexpr GLbitfield kAfterPass = GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+constexpr GLbitfield kAfterPass = GL_TEXTURE_FETCH_BARRIER_BIT |
+                                  GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                                   GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                                   GL_BUFFER_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT;
 
@@ -69,6 +70,8 @@ GlesWorkspace::~GlesWorkspace() {
     for (const Pass& pass : passes_) gl.DeleteProgram(pass.program);
     gl.DeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
     gl.DeleteBuffers(static_cast<GLsizei>(storage_.size()), storage_.data());
+    gl.DeleteSamplers(1, &nearest_);
+    gl.DeleteSamplers(1, &linear_);
     gl.DeleteBuffers(1, &numbers_);
     gl.DeleteBuffers(1, &chunk_);
     gl.DeleteFramebuffers(1, &framebuffer_);
@@ -96,6 +99,8 @@ void GlesWorkspace::Allocate() {
     gl.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(plan.size), nullptr,
                   GL_DYNAMIC_COPY);
   }
+  nearest_ = MakeSampler(GL_NEAREST);
+  linear_ = MakeSampler(GL_LINEAR);
   gl.GenBuffers(1, &numbers_);
   gl.GenBuffers(1, &chunk_);
   gl.GenFramebuffers(1, &framebuffer_);
@@ -105,7 +110,6 @@ void GlesWorkspace::Allocate() {
   device_.Check("to allocate " + std::to_string(bytes()) + " bytes");
 }
 
-// Texels are fetched as they are: a texture of floats that would be filtered is none.
 void GlesWorkspace::CreateTexture(const ImagePlan& plan, GLuint texture) const {
   const GlesApi& gl = device_.gl();
   const GLenum target = TargetOf(plan), internal = FormatOf(plan.format).internal;
@@ -115,10 +119,19 @@ void GlesWorkspace::CreateTexture(const ImagePlan& plan, GLuint texture) const {
   } else {
     gl.TexStorage2D(target, 1, internal, plan.width, plan.height);
   }
-  gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+// Beyond the edges are the outermost texels. A texture of 32-bit floats that would be filtered
+// gives nothing.
+GLuint GlesWorkspace::MakeSampler(GLenum filter) const {
+  const GlesApi& gl = device_.gl();
+  GLuint sampler = 0;
+  gl.GenSamplers(1, &sampler);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(filter));
+  gl.SamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(filter));
+  gl.SamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return sampler;
 }
 
 int GlesWorkspace::AddPass(const PassPlan& plan) {
@@ -170,6 +183,8 @@ void GlesWorkspace::Bind(const Binding& binding, GLuint place) const {
                           FormatOf(images()[index].format).internal);
       break;
     case Binding::Use::kSampled:
+    case Binding::Use::kFiltered:
+      gl.BindSampler(place, binding.use == Binding::Use::kFiltered ? linear_ : nearest_);
       gl.ActiveTexture(GL_TEXTURE0 + place);
       gl.BindTexture(TargetOf(images()[index]), textures_[index]);
       break;

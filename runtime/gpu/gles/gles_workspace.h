@@ -37,14 +37,16 @@ class GlesWorkspace final : public GpuWorkspace {
   };
 
   void CreateTexture(const ImagePlan& plan, GLuint texture) const;
+  GLuint MakeSampler(GLenum filter) const;
   void Bind(const Binding& binding, GLuint place) const;
   void ReadTimes();
 
   const GlesDevice& device_;
   PixelFormat format_;
   std::vector<GLuint> textures_;
-  std::vector<GLuint> storage_;  // of buffers on the device; 0 for others
+  std::vector<GLuint> storage_;                   // of buffers on the device; 0 for others
   std::vector<std::vector<std::byte>> contents_;  // of the others
+  GLuint nearest_ = 0, linear_ = 0;               // samplers
   GLuint numbers_ = 0;                            // the uniform block
   GLuint chunk_ = 0;                              // what buffers are filled from
   GLuint framebuffer_ = 0;                        // what images are read through

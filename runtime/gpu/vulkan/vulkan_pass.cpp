@@ -6,6 +6,7 @@ namespace {
 VkDescriptorType TypeOf(Binding::Use use) {
   switch (use) {
     case Binding::Use::kSampled:
+    case Binding::Use::kFiltered:
       return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     case Binding::Use::kStored:
       return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
@@ -19,7 +20,7 @@ VkDescriptorType TypeOf(Binding::Use use) {
 
 VulkanPass::VulkanPass(const VulkanDevice& device, const VulkanResources& resources,
                        const PassPlan& plan, std::span<const std::uint32_t> spirv,
-                       VkSampler sampler)
+                       const VulkanSamplers& samplers)
     : device_(device),
       name_(plan.name),
       numbers_bytes_(plan.numbers_bytes),
@@ -30,7 +31,7 @@ VulkanPass::VulkanPass(const VulkanDevice& device, const VulkanResources& resour
     CreatePipeline(plan, spirv);
     CreateSets(plan);
     for (std::size_t i = 0; i < sets_.size(); ++i)
-      WriteSet(resources, plan.sets[i], sets_[i], sampler);
+      WriteSet(resources, plan.sets[i], sets_[i], samplers);
   } catch (...) {
     Destroy();
     throw;
@@ -138,7 +139,7 @@ void VulkanPass::CreateSets(const PassPlan& plan) {
 }
 
 void VulkanPass::WriteSet(const VulkanResources& resources, const std::vector<Binding>& bindings,
-                          VkDescriptorSet set, VkSampler sampler) {
+                          VkDescriptorSet set, const VulkanSamplers& samplers) {
   for (std::size_t i = 0; i < bindings.size(); ++i) {
     const Binding& binding = bindings[i];
     const bool is_buffer = binding.use == Binding::Use::kBuffer;
@@ -148,7 +149,8 @@ void VulkanPass::WriteSet(const VulkanResources& resources, const std::vector<Bi
       buffer.buffer = resources.buffer(binding.index).buffer;
     } else {
       image.imageView = resources.image(binding.index).view;
-      if (binding.use == Binding::Use::kSampled) image.sampler = sampler;
+      if (binding.use == Binding::Use::kSampled) image.sampler = samplers.nearest;
+      if (binding.use == Binding::Use::kFiltered) image.sampler = samplers.linear;
     }
     const VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                         .pNext = nullptr,

@@ -10,13 +10,18 @@
 
 namespace warplut {
 
+// Of texels as they are, and linear between them; beyond the edges the outermost.
+struct VulkanSamplers {
+  VkSampler nearest = VK_NULL_HANDLE, linear = VK_NULL_HANDLE;
+};
+
 class VulkanPass {
  public:
   // The plan's bindings are indices of `resources`, whose images are in layout GENERAL. The device,
-  // the resources and the sampler outlive the pass. A GpuError if the device does not take the
+  // the resources and the samplers outlive the pass. A GpuError if the device does not take the
   // shader.
   VulkanPass(const VulkanDevice& device, const VulkanResources& resources, const PassPlan& plan,
-             std::span<const std::uint32_t> spirv, VkSampler sampler);
+             std::span<const std::uint32_t> spirv, const VulkanSamplers& samplers);
   ~VulkanPass();
   VulkanPass(const VulkanPass&) = delete;
   VulkanPass& operator=(const VulkanPass&) = delete;
@@ -31,7 +36,7 @@ class VulkanPass {
   void CreatePipeline(const PassPlan& plan, std::span<const std::uint32_t> spirv);
   void CreateSets(const PassPlan& plan);
   void WriteSet(const VulkanResources& resources, const std::vector<Binding>& bindings,
-                VkDescriptorSet set, VkSampler sampler);
+                VkDescriptorSet set, const VulkanSamplers& samplers);
   void Destroy();
 
   const VulkanDevice& device_;

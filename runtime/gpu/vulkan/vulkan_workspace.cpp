@@ -5,13 +5,12 @@ namespace {
 
 constexpr int kMostTimestamps = 24;
 
-// Texels as they are; beyond the edges the outermost.
-VkSampler MakeSampler(const VulkanDevice& device) {
+VkSampler MakeSampler(const VulkanDevice& device, VkFilter filter) {
   const VkSamplerCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                     .pNext = nullptr,
                                     .flags = 0,
-                                    .magFilter = VK_FILTER_NEAREST,
-                                    .minFilter = VK_FILTER_NEAREST,
+                                    .magFilter = filter,
+                                    .minFilter = filter,
                                     .mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST,
                                     .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                                     .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
@@ -35,10 +34,13 @@ VkSampler MakeSampler(const VulkanDevice& device) {
 VulkanWorkspace::VulkanWorkspace(const VulkanDevice& device, PixelFormat format)
     : device_(device),
       format_(format),
-      sampler_(MakeSampler(device)),
+      samplers_{MakeSampler(device, VK_FILTER_NEAREST), MakeSampler(device, VK_FILTER_LINEAR)},
       commands_(device, kMostTimestamps) {}
 
-VulkanWorkspace::~VulkanWorkspace() { vkDestroySampler(device_.handle(), sampler_, nullptr); }
+VulkanWorkspace::~VulkanWorkspace() {
+  vkDestroySampler(device_.handle(), samplers_.nearest, nullptr);
+  vkDestroySampler(device_.handle(), samplers_.linear, nullptr);
+}
 
 void VulkanWorkspace::Allocate() {
   resources_.emplace(device_, images(), buffers());
@@ -49,7 +51,7 @@ void VulkanWorkspace::Allocate() {
 
 int VulkanWorkspace::AddPass(const PassPlan& plan) {
   passes_.push_back(std::make_unique<VulkanPass>(device_, *resources_, plan,
-                                                 SpirvOf(plan.shader, format_), sampler_));
+                                                 SpirvOf(plan.shader, format_), samplers_));
   return static_cast<int>(passes_.size()) - 1;
 }
 

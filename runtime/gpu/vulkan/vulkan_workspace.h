@@ -28,7 +28,7 @@ class VulkanWorkspace final : public GpuWorkspace {
  private:
   const VulkanDevice& device_;
   PixelFormat format_;
-  VkSampler sampler_ = VK_NULL_HANDLE;
+  VulkanSamplers samplers_;
   VulkanCommands commands_;
   std::optional<VulkanResources> resources_;
   std::vector<std::unique_ptr<VulkanPass>> passes_;

@@ -185,7 +185,7 @@ TEST_P(BakedShaderTest, GivesTheTestVectors) {
                      .height = count + 1};
     plan.sets.resize(1);
     for (int i = 0; i < 6; ++i) plan.sets[0].push_back(i == 3 ? Stored(i) : Sampled(i));
-    const VulkanPass pass(vulkan, resources, plan, code, sampler);
+    const VulkanPass pass(vulkan, resources, plan, code, {sampler, sampler});
     VulkanCommands commands(vulkan, 1);
     commands.Run([&](VkCommandBuffer recorded) {
       for (const VulkanImage& image : resources.images()) PrepareImage(recorded, image);

@@ -47,14 +47,23 @@ TEST_F(GpuExample, IsAsGoodAsTheProcessors) {
 // A loader that finds no driver: one sentence, not a crash.
 TEST(GpuExampleWithoutDevice, EndsWithASentence) {
   const bool is_gles = kTestedApi == GpuApi::kGles;
-  const Printed printed =
-      OutputOf((is_gles ? "__EGL_VENDOR_LIBRARY_FILENAMES=/none "
-                        : "VK_ICD_FILENAMES=/none VK_DRIVER_FILES=/none ") +
-               kGpuExample);
+  const Printed printed = OutputOf((is_gles ? "__EGL_VENDOR_LIBRARY_FILENAMES=/none "
+                                            : "VK_ICD_FILENAMES=/none VK_DRIVER_FILES=/none ") +
+                                   kGpuExample);
   EXPECT_EQ(printed.code, 2);
   EXPECT_EQ(printed.text.find(is_gles ? "there is no OpenGL ES" : "there is no Vulkan"), 0U)
       << printed.text;
   EXPECT_EQ(printed.text.find('\n'), printed.text.size() - 1);
+}
+
+// Mesa plays an older version where it is told to.
+TEST_F(GpuExample, AnOlderVersionIsOneSentence) {
+  if (kTestedApi != GpuApi::kGles) GTEST_SKIP() << "the API has no version to play";
+  const Printed printed = OutputOf("MESA_GLES_VERSION_OVERRIDE=3.1 " + kGpuExample);
+  if (printed.code == 0) GTEST_SKIP() << "the driver is not Mesa's";
+  EXPECT_EQ(printed.code, 2);
+  EXPECT_EQ(printed.text,
+            "the OpenGL ES driver of this machine has not version 3.2, which was expected\n");
 }
 
 }  // namespace

@@ -9,9 +9,9 @@
 #include "luts/baked/warplut_iir_x2.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/runtime/gpu/gpu_fixture.h"
+#include "tools/gpu_modes.h"
 #include "tools/judge/sequence_scores.h"
 #include "tools/scene_rendering.h"
-#include "tools/gpu_modes.h"
 #include "train/replay/judged_frames.h"
 
 namespace warplut {

@@ -93,34 +93,6 @@ TEST_F(RunCommand, RefusesADeviceThatThereIsNot) {
   EXPECT_FALSE(fs::exists(Path("out")));
 }
 
-// A loader that finds no driver, or a build without Vulkan: a sentence, and nothing is left behind.
-TEST_F(RunCommand, WithoutAGpuNothingIsLeftBehind) {
-  setenv("VK_ICD_FILENAMES", "/none", 1);
-  setenv("VK_DRIVER_FILES", "/none", 1);
-  const ProgramResult result = RunWarplut(Arguments("i", {"--device", "vulkan"}));
-  unsetenv("VK_ICD_FILENAMES");
-  unsetenv("VK_DRIVER_FILES");
-  EXPECT_NE(result.code, 0);
-  EXPECT_TRUE(result.err.find("there is no Vulkan") != std::string::npos ||
-              result.err.find("no passes for the device vulkan") != std::string::npos)
-      << result.err;
-  EXPECT_FALSE(fs::exists(Path("out")));
-}
-
-// The default history is in halves, and the files have 8 bits: a code apart at most.
-TEST_F(RunCommand, AGpuWritesTheSameFrames) {
-  const ProgramResult gpu =
-      RunWarplut(Arguments("sr", {"--device", "vulkan", "--out", Path("gpu")}));
-  if (gpu.code != 0) GTEST_SKIP() << gpu.err;
-  ASSERT_EQ(RunWarplut(Arguments("sr")).code, 0);
-  ASSERT_EQ(Files("gpu"), Files("out"));
-  for (const std::string& file : Files("out")) {
-    const Image expected = ReadImage(Path("out/" + file)), found = ReadImage(Path("gpu/" + file));
-    for (std::size_t i = 0; i < expected.data.size(); ++i)
-      ASSERT_NEAR(found.data[i], expected.data[i], 1.01 / 255) << file;
-  }
-}
-
 TEST_F(RunCommand, TellsOfInfiniteLinearColour) {
   const Sequence sequence =
       WritePan(folder_ / "bright", {.frames = 3, .color_space = ColorSpace::kLinear});
