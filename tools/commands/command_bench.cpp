@@ -130,7 +130,7 @@ void AddBenchPasses(Command bench, CommandRun* run) {
   command.Add("--repeats", options->repeats, "Number of timed frames of each mode").ShowDefault();
   AddJsonOption(command, json.get());
   command.OnParsed([options, json, device, run] {
-    *run = [options, json] { return RunBenchPasses(*device, *options, *json); };
+    *run = [options, json, device] { return RunBenchPasses(*device, *options, *json); };
   });
 }
 
