@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "datasets/file.h"
 #include "tools/commands/pipeline_options.h"
 #include "tools/device.h"
+#include "tools/judge/protocol_filter.h"
 #include "tools/judge/sequence_judging.h"
+#include "tools/payoff/payoff_report.h"
 #include "tools/thread_limit.h"
 #include "train/ranks/ranks.h"
 
@@ -22,40 +25,41 @@ bool IsBaseline(const MethodInfo& method) {
   return method.parameters.empty() && !method.optical_flow;
 }
 
-// Whether the two show frames of one kind, from inputs of one kind.
-bool AreComparable(const MethodInfo& a, const MethodInfo& b) {
-  return a.super_resolution == b.super_resolution && Generates(a) == Generates(b);
+void AddOnce(const MethodInfo& method, MethodList& methods) {
+  if (std::find(methods.begin(), methods.end(), &method) == methods.end()) {
+    methods.push_back(&method);
+  }
 }
 
-// The methods that were asked for, then the baselines to compare them with.
-MethodList JudgedMethods(const std::vector<std::string>& modes) {
-  MethodList methods;
-  const auto add = [&](const MethodInfo& method) {
-    if (std::find(methods.begin(), methods.end(), &method) == methods.end()) {
-      methods.push_back(&method);
-    }
-  };
-  for (const std::string& mode : modes) add(MethodOf(mode));
-  const MethodList asked = methods;
+// The baselines to compare the methods with.
+MethodList BaselinesOf(const MethodList& asked) {
+  MethodList baselines;
   for (const MethodInfo& method : Methods()) {
     if (!IsBaseline(method)) continue;
     if (std::any_of(asked.begin(), asked.end(),
                     [&](const MethodInfo* one) { return AreComparable(*one, method); })) {
-      add(method);
+      baselines.push_back(&method);
     }
   }
-  return methods;
+  return baselines;
 }
 
 // The methods and targets, or a UsageError.
 struct CheckedArguments {
-  MethodList methods;
+  MethodList methods;       // that were asked for, then baselines
+  VariantOptions variants;  // of the same methods
   std::vector<SequenceTarget> targets;
 };
 
 CheckedArguments Check(const JudgeArguments& arguments) {
   CheckedArguments checked;
-  checked.methods = JudgedMethods(arguments.modes);
+  VariantOptions& variants = checked.variants;
+  for (const std::string& mode : arguments.modes) AddOnce(MethodOf(mode), variants.methods);
+  variants.beside = BaselinesOf(variants.methods);
+  variants.against = arguments.against;
+  CheckAgainst(variants);
+  checked.methods = variants.methods;
+  for (const MethodInfo* baseline : variants.beside) AddOnce(*baseline, checked.methods);
   CheckDevice(arguments.device);
   CheckArguments(arguments.pipeline);
   for (const std::string& text : arguments.targets) {
@@ -67,6 +71,26 @@ CheckedArguments Check(const JudgeArguments& arguments) {
     checked.targets.push_back(target);
   }
   return checked;
+}
+
+struct CheckedRuns {
+  std::optional<PipelineVariants> variants;  // with --against
+  std::vector<JudgedRun> runs;
+};
+
+CheckedRuns RunsFor(CheckedArguments& checked, const PipelineArguments& arguments,
+                    const std::vector<Sequence>& sequences) {
+  CheckedRuns runs;
+  if (checked.variants.against.empty()) {
+    runs.runs = RunsOf(checked.methods);
+    return runs;
+  }
+  checked.variants.one_grid =
+      std::all_of(sequences.begin(), sequences.end(),
+                  [](const Sequence& sequence) { return sequence.render == sequence.output; });
+  runs.variants.emplace(checked.variants, arguments);
+  runs.runs = runs.variants->runs();
+  return runs;
 }
 
 }  // namespace
@@ -94,7 +118,7 @@ CommandOption AddSequenceOptions(Command eval, JudgeArguments* arguments) {
 
 ExitCode RunJudge(const JudgeArguments& arguments) {
   const ThreadLimit limit(arguments.pipeline.threads);
-  const CheckedArguments checked = AsUsage([&] { return Check(arguments); });
+  CheckedArguments checked = AsUsage([&] { return Check(arguments); });
   const std::unique_ptr<ModeDevice> device = OpenDevice(arguments.device);
   if (!arguments.pictures.empty() && Ranks::World().IsRoot()) {
     RequireWritableFolder(arguments.pictures);
@@ -104,7 +128,8 @@ ExitCode RunJudge(const JudgeArguments& arguments) {
   for (const std::string& path : arguments.sequences) {
     sequences.push_back(ReadSequenceFor(pipeline, path, checked.methods));
   }
-  JudgedSequences judged = JudgeSequences({.methods = checked.methods,
+  CheckedRuns runs = RunsFor(checked, arguments.pipeline, sequences);
+  JudgedSequences judged = JudgeSequences({.runs = runs.runs,
                                            .every = arguments.every,
                                            .border = arguments.border,
                                            .settled = arguments.settled,
@@ -113,6 +138,11 @@ ExitCode RunJudge(const JudgeArguments& arguments) {
                                            .pipeline = arguments.pipeline},
                                           pipeline, sequences);
   std::vector<SequenceReport>& reports = judged.reports;
+  std::optional<PayoffReport> payoff;
+  if (runs.variants) {
+    payoff = MakePayoffReport(runs.variants->list(), reports, pipeline.filter_name(),
+                              !arguments.pipeline.lut.empty(), arguments.pipeline.params);
+  }
   std::vector<std::string> missed;
   for (const SequenceTarget& target : checked.targets) {
     for (std::string& sentence : MissedSequences(target, reports)) {
@@ -123,18 +153,23 @@ ExitCode RunJudge(const JudgeArguments& arguments) {
   if (arguments.json) {
     Json judged_sequences = Json::array();
     for (const SequenceReport& report : reports) judged_sequences.push_back(ToJson(report));
-    PrintJson({{"filter", pipeline.filter_name()},
-               {"texels", arguments.pipeline.texels},
-               {"sequences", judged_sequences},
-               {"pictures", judged.pictures},
-               {"missed", missed}});
+    Json document = {{"filter", pipeline.filter_name()},
+                     {"texels", arguments.pipeline.texels},
+                     {"sequences", judged_sequences},
+                     {"pictures", judged.pictures},
+                     {"missed", missed}};
+    if (payoff) document["payoff"] = ToJson(*payoff);
+    PrintJson(document);
   } else {
-    if (reports.size() > 1) reports.push_back(MeanReport(reports));
-    for (const SequenceReport& report : reports) {
-      const TextTable table = MethodTable(report);
+    const auto print_table = [&](const TextTable& table) {
       Print((arguments.markdown ? ToMarkdown(table) : ToText(table)) + "\n");
-      for (const std::string& note : report.notes) Print(note + "\n");
+    };
+    if (reports.size() > 1) reports.push_back(MeanReport(reports));
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      print_table(payoff ? ToTable(payoff->tables[i]) : MethodTable(reports[i]));
+      for (const std::string& note : reports[i].notes) Print(note + "\n");
     }
+    if (payoff) Print(PayoffText(*payoff, arguments.markdown));
     for (const std::string& line : judged.pictures) Print(line + "\n");
     for (const std::string& sentence : missed) Print("missed: " + sentence + "\n");
   }
@@ -147,6 +182,13 @@ void AddJudgeCommand(Command app, CommandRun* run) {
   Command command =
       app.AddCommand("judge", "Judge methods on sequences, beside baselines that do without them");
   AddSequenceOptions(command, &a).Required();
+  command
+      .Add(
+          "--against", a.against,
+          "Filters, tables and methods to compare with, and what pays here: tables as files, names "
+          "of methods, " +
+              WarpNames())
+      .Separated();
   command.Add("--target", a.targets, "Least values of a method, as METHOD,PSNR,SSIM");
   command.Add("--pictures", a.pictures,
               "Folder for pictures: the windows where the first method errs most");

@@ -19,6 +19,7 @@ struct JudgeArguments {
   int settled = 0;  // judged frames that the settled means leave out; 0: there are none
   std::string device = DeviceNames().front();
   PipelineArguments pipeline;
+  std::vector<std::string> against;  // filters, tables and methods: what pays is judged too
   std::vector<std::string> targets;
   std::string pictures;
   bool markdown = false;

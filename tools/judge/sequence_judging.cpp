@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -39,7 +40,7 @@ class SequenceJudging {
     for (const Sequence& sequence : sequences) {
       ranges_.push_back(ParseFrames(options.pipeline.frames, sequence));
       const double pixels = static_cast<double>(sequence.output.width) * sequence.output.height;
-      work.insert(work.end(), options.methods.size(), pixels * ranges_.back().count);
+      work.insert(work.end(), options.runs.size(), pixels * ranges_.back().count);
     }
     owners_ = ContiguousOwners(work, ranks_.count());
     ranks_.RequireSame("the options or the sequences", Identity());
@@ -53,21 +54,32 @@ class SequenceJudging {
     for (std::size_t s = 0; s < sequences_.size(); ++s) {
       SequenceReport& report = judged.reports.emplace_back();
       report.sequence = sequences_[s].name + (options_.pipeline.texels ? ", texels" : "");
-      for (std::size_t m = 0; m < options_.methods.size(); ++m) {
-        report.methods.push_back(FromNumbers(options_.methods[m]->name, scores[Piece(s, m)]));
+      for (std::size_t r = 0; r < options_.runs.size(); ++r) {
+        report.methods.push_back(FromNumbers(options_.runs[r].name, scores[Piece(s, r)]));
       }
-      report.notes = JudgingNotes(sequences_[s], options_.methods);
+      report.notes = JudgingNotes(sequences_[s], JudgedMethods());
     }
     return judged;
   }
 
  private:
-  std::size_t Piece(std::size_t sequence, std::size_t method) const {
-    return sequence * options_.methods.size() + method;
+  std::size_t Piece(std::size_t sequence, std::size_t run) const {
+    return sequence * options_.runs.size() + run;
   }
 
-  bool Owns(std::size_t sequence, std::size_t method) const {
-    return owners_[Piece(sequence, method)] == ranks_.rank();
+  bool Owns(std::size_t sequence, std::size_t run) const {
+    return owners_[Piece(sequence, run)] == ranks_.rank();
+  }
+
+  // The methods of the runs, each once.
+  std::vector<const MethodInfo*> JudgedMethods() const {
+    std::vector<const MethodInfo*> methods;
+    for (const JudgedRun& run : options_.runs) {
+      if (std::find(methods.begin(), methods.end(), run.method) == methods.end()) {
+        methods.push_back(run.method);
+      }
+    }
+    return methods;
   }
 
   // All that decides the scores, beside the files' contents.
@@ -78,7 +90,7 @@ class SequenceJudging {
                     a.generated, a.motion_filter, a.history, a.texels, options_.every,
                     options_.border, options_.device != nullptr ? options_.device->name() : "");
     for (const float alpha : a.alphas) text += fmt::format(" {}", alpha);
-    for (const MethodInfo* method : options_.methods) text += fmt::format(" {}", method->name);
+    for (const JudgedRun& run : options_.runs) text += fmt::format(" {}", run.name);
     for (std::size_t s = 0; s < sequences_.size(); ++s) {
       text +=
           fmt::format(" {} {} {}", SequenceJson(sequences_[s]), ranges_[s].first, ranges_[s].count);
@@ -90,18 +102,18 @@ class SequenceJudging {
   void JudgeOwn(std::size_t s, std::vector<std::vector<double>>& scores,
                 std::vector<std::string>& pictures) {
     std::vector<std::size_t> own;
-    for (std::size_t m = 0; m < options_.methods.size(); ++m) {
-      if (Owns(s, m)) own.push_back(m);
+    for (std::size_t r = 0; r < options_.runs.size(); ++r) {
+      if (Owns(s, r)) own.push_back(r);
     }
     const bool draws = !options_.pictures.empty() && ranks_.IsRoot();
     if (own.empty() && !draws) return;
     const LoadedSequence loaded = Load(s);
-    Progress progress("judging " + sequences_[s].name, static_cast<double>(own.size()), "methods");
-    for (const std::size_t m : own) {
-      const MethodInfo& method = *options_.methods[m];
-      SequenceJudge judge(loaded.truth, method, options_.border, options_.settled);
-      Run(loaded, method, [&](const ShownFrame& shown) { judge.Add(shown); });
-      scores[Piece(s, m)] = ToNumbers(judge.Finish());
+    Progress progress("judging " + sequences_[s].name, static_cast<double>(own.size()), "runs");
+    for (const std::size_t r : own) {
+      const JudgedRun& run = options_.runs[r];
+      SequenceJudge judge(loaded.truth, *run.method, options_.border, options_.settled);
+      Run(loaded, run, [&](const ShownFrame& shown) { judge.Add(shown); });
+      scores[Piece(s, r)] = ToNumbers(judge.Finish());
       progress.Add(1);
     }
     if (!draws) return;
@@ -112,7 +124,7 @@ class SequenceJudging {
     const Sequence& sequence = sequences_[s];
     std::vector<const MethodInfo*> dense, sparse;
     Streams truth = Streams::kNone;
-    for (const MethodInfo* method : options_.methods) {
+    for (const MethodInfo* method : JudgedMethods()) {
       (Generates(*method) ? sparse : dense).push_back(method);
       truth = truth | JudgingStreams(*method, AvailableStreams(sequence));
     }
@@ -125,33 +137,37 @@ class SequenceJudging {
     return loaded;
   }
 
-  void Run(const LoadedSequence& loaded, const MethodInfo& method, const ShownFrameSink& sink) {
+  void Run(const LoadedSequence& loaded, const JudgedRun& run, const ShownFrameSink& sink) {
+    const MethodInfo& method = *run.method;
     ModeRunOptions options = pipeline_.Options(method, Generates(method) ? options_.every : 1);
     options.device = options_.device;
     const Clip& clip = loaded.ClipFor(method);
     std::string why;
     if (!options.IsValid(clip, &why)) throw Error(why);
-    RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
+    const ShownFrameSink interruptible = [&](const ShownFrame& shown) {
       ThrowIfInterrupted("judging", "nothing was printed");
       sink(shown);
-    });
+    };
+    if (run.run) {
+      run.run(clip, options, pool_, interruptible);
+    } else {
+      RunMode(clip, options, pool_, interruptible);
+    }
   }
 
-  void RunJudged(const LoadedSequence& loaded, const MethodInfo& method,
-                 const ShownFrameSink& sink) {
-    Run(loaded, method, [&](const ShownFrame& shown) {
-      if (IsJudged(method, shown)) sink(shown);
+  void RunJudged(const LoadedSequence& loaded, const JudgedRun& run, const ShownFrameSink& sink) {
+    Run(loaded, run, [&](const ShownFrame& shown) {
+      if (IsJudged(*run.method, shown)) sink(shown);
     });
   }
 
   std::vector<std::string> WritePictures(const LoadedSequence& loaded) {
     WindowChooser chooser(loaded.truth);
-    RunJudged(loaded, *options_.methods.front(),
-              [&](const ShownFrame& shown) { chooser.Add(shown); });
+    RunJudged(loaded, options_.runs.front(), [&](const ShownFrame& shown) { chooser.Add(shown); });
     SequencePictures pictures(loaded.truth, chooser.Windows());
-    for (const MethodInfo* method : options_.methods) {
-      RunJudged(loaded, *method,
-                [&](const ShownFrame& shown) { pictures.Add(method->name, shown); });
+    for (const JudgedRun& run : options_.runs) {
+      if (!run.drawn) continue;
+      RunJudged(loaded, run, [&](const ShownFrame& shown) { pictures.Add(run.name, shown); });
     }
     return pictures.Write(options_.pictures);
   }
@@ -162,10 +178,16 @@ class SequenceJudging {
   Ranks& ranks_ = Ranks::World();
   ThreadPool pool_;
   std::vector<FrameRange> ranges_;
-  std::vector<int> owners_;  // of each method on each sequence, sequence by sequence
+  std::vector<int> owners_;  // of each run on each sequence, sequence by sequence
 };
 
 }  // namespace
+
+std::vector<JudgedRun> RunsOf(const std::vector<const MethodInfo*>& methods) {
+  std::vector<JudgedRun> runs;
+  for (const MethodInfo* method : methods) runs.push_back({.name = method->name, .method = method});
+  return runs;
+}
 
 JudgedSequences JudgeSequences(const SequenceJudgingOptions& options, const Pipeline& pipeline,
                                const std::vector<Sequence>& sequences) {

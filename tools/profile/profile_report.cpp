@@ -9,12 +9,7 @@
 namespace warplut {
 namespace {
 
-std::string Signed(double value, int digits) {
-  if (!std::isfinite(value)) return "-";
-  const double unit = std::pow(10.0, -digits);
-  const double rounded = std::round(value / unit) * unit;
-  return rounded == 0 ? "0" : fmt::format("{:+.{}f}", rounded, digits);
-}
+std::string Signed(double value, int digits) { return SignedCell(value, digits).text; }
 
 std::string TimeText(const TimeRatio& time) {
   return fmt::format("{:.2f} [{:.2f}, {:.2f}]", time.median, time.low, time.high);

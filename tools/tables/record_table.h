@@ -23,6 +23,9 @@ Cell TextCell(std::string text);
 // `digits` behind the point. A value that is not finite is null and "-".
 Cell NumberCell(double value, int digits);
 
+// A change: the same with its sign; "0" where it rounds to 0.
+Cell SignedCell(double value, int digits);
+
 // A PSNR in dB with two digits. Equal images have no finite one: null and "equal".
 Cell PsnrCell(double psnr);
 
