@@ -34,4 +34,27 @@ install(FILES ${PROJECT_BINARY_DIR}/warplutConfig.cmake ${PROJECT_BINARY_DIR}/wa
 
 if(TARGET warplut)
   install(TARGETS warplut RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  if(NOT CMAKE_CROSSCOMPILING)
+    # The program writes its own manual and completions.
+    set(manual ${PROJECT_BINARY_DIR}/manual)
+    set(completions ${PROJECT_BINARY_DIR}/completions)
+    add_custom_command(
+      OUTPUT ${manual}/warplut.1 ${completions}/warplut ${completions}/_warplut ${completions}/warplut.fish
+      COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${completions}
+      COMMAND $<TARGET_FILE:warplut> man ${manual} > ${completions}/manual.txt
+      COMMAND $<TARGET_FILE:warplut> completion bash > ${completions}/warplut
+      COMMAND $<TARGET_FILE:warplut> completion zsh > ${completions}/_warplut
+      COMMAND $<TARGET_FILE:warplut> completion fish > ${completions}/warplut.fish
+      DEPENDS warplut
+      COMMENT "Writing the manual and the completions")
+    add_custom_target(warplut_manual_pages ALL DEPENDS ${manual}/warplut.1)
+    install(DIRECTORY ${manual}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+    install(FILES ${completions}/warplut COMPONENT program
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+    install(FILES ${completions}/_warplut COMPONENT program
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    install(FILES ${completions}/warplut.fish COMPONENT program
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  endif()
 endif()

@@ -20,6 +20,11 @@ enum class ExitCode : std::uint8_t {
   kMissed = 3,  // done, but a stated target was missed, or a manifest is contradicted
 };
 
+// What the codes mean, in their order.
+inline constexpr const char* kExitMeanings[] = {
+    "Done.", "The command line is wrong.", "An input, the machine or an interruption stopped it.",
+    "Done, but a stated target was missed, or a manifest is contradicted."};
+
 using CommandRun = std::function<ExitCode()>;
 
 // Adds one subcommand to `app`. Parsing it sets `*run`, which must outlive `app`, to what it does.
@@ -39,13 +44,17 @@ void AddStabilityCommand(Command app, CommandRun* run);
 void AddDenseCommand(Command app, CommandRun* run);
 void AddCompareCommand(Command app, CommandRun* run);
 void AddBenchCommand(Command app, CommandRun* run);
+void AddViewCommand(Command app, CommandRun* run);
+void AddCompletionCommand(Command app, CommandRun* run);
+void AddManCommand(Command app, CommandRun* run);
 
 // The subcommands in the order of the data flow.
 inline constexpr CommandAdder kCommands[] = {
-    AddDatasetCommand, AddTrainCommand,    AddBakeCommand,      AddEvalCommand,
-    AddCrossCommand,   AddJudgeCommand,    AddCalibrateCommand, AddProfileCommand,
-    AddRunCommand,     AddCompareCommand,  AddBenchCommand,     AddDenseCommand,
-    AddReportCommand,  AddStabilityCommand};
+    AddDatasetCommand, AddTrainCommand,   AddBakeCommand,      AddEvalCommand,
+    AddCrossCommand,   AddJudgeCommand,   AddCalibrateCommand, AddProfileCommand,
+    AddRunCommand,     AddCompareCommand, AddViewCommand,      AddBenchCommand,
+    AddDenseCommand,   AddReportCommand,  AddStabilityCommand, AddCompletionCommand,
+    AddManCommand};
 
 // Adds and returns the option `--json` that every command has.
 CommandOption AddJsonOption(Command command, bool* json);

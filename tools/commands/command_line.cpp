@@ -9,6 +9,52 @@
 #include "tools/commands/command.h"
 
 namespace warplut {
+namespace {
+
+// The values between the braces of "TEXT:{a,b}", as the help shows a choice.
+std::vector<std::string> ChoicesOf(const std::string& type) {
+  const auto open = type.find('{'), close = type.rfind('}');
+  if (open == std::string::npos || close == std::string::npos) return {};
+  return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
+}
+
+OptionDescription DescriptionOf(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  OptionDescription description;
+  description.positional = option.get_positional();
+  if (description.positional) {
+    description.names = {option.get_name(true)};
+  } else {
+    for (const std::string& name : option.get_snames()) description.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) description.names.push_back("--" + name);
+  }
+  description.help = option.get_description();
+  description.default_value = option.get_default_str();
+  description.takes_value = option.get_items_expected_max() > 0;
+  description.several = option.get_items_expected_max() > 1;
+  description.separated = option.get_delimiter() != '\0';
+  description.required = option.get_required();
+  if (!description.takes_value) return description;
+  description.choices = ChoicesOf(type);
+  for (const char* number : {"INT", "UINT", "FLOAT"}) {
+    if (type.starts_with(number)) description.number = true;
+  }
+  return description;
+}
+
+CommandDescription DescriptionOf(const CLI::App& app) {
+  CommandDescription description{
+      .name = app.get_name(), .help = app.get_description(), .options = {}, .commands = {}};
+  for (const CLI::Option* option : app.get_options()) {
+    description.options.push_back(DescriptionOf(*option));
+  }
+  for (const CLI::App* below : app.get_subcommands({})) {
+    description.commands.push_back(DescriptionOf(*below));
+  }
+  return description;
+}
+
+}  // namespace
 
 CommandOption& CommandOption::Required() {
   option_->required();
@@ -80,6 +126,8 @@ CommandOption Command::AddFlag(const std::string& name, bool& value, const std::
 void Command::OnParsed(std::function<void()> then) { app_->callback(std::move(then)); }
 
 bool Command::Given(const std::string& name) const { return app_->count(name) > 0; }
+
+CommandDescription Command::Describe() const { return DescriptionOf(*app_); }
 
 CommandLine::CommandLine(const std::string& name, const std::string& help,
                          const std::string& version)

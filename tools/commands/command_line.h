@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/manual/command_description.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -51,6 +53,8 @@ class Command {
   void OnParsed(std::function<void()> then);
   // Whether the option was given; to be asked after the parsing.
   bool Given(const std::string& name) const;
+  // All that was added to it so far, and to the commands below it.
+  CommandDescription Describe() const;
 
  private:
   CLI::App* app_;

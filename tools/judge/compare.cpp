@@ -80,20 +80,21 @@ JudgedDomain DomainOf(const std::vector<FramePair>& pairs, bool linear) {
   return displayed ? JudgedDomain::kDisplayed : JudgedDomain::kStored;
 }
 
+Image LoadCompared(const ListedImage& listed, JudgedDomain domain) {
+  Image image = WithoutAlpha(LoadListedImage(listed));
+  if (domain == JudgedDomain::kStored) return image;
+  const bool displayed = listed.sequence ? !listed.IsLinear() : ReadImageInfo(listed.file).integer;
+  if (displayed) {
+    throw Error(fmt::format(
+        "{} holds displayed colour and cannot be compared as linear HDR; expected float values.",
+        listed.file.string()));
+  }
+  return DisplayedImage(std::move(image), ColorEncoding::kLinearHdr);
+}
+
 FrameScore ComparePair(const FramePair& pair, JudgedDomain domain, int border) {
-  const auto load = [&](const ListedImage& listed) {
-    Image image = WithoutAlpha(LoadListedImage(listed));
-    if (domain == JudgedDomain::kStored) return image;
-    const bool displayed =
-        listed.sequence ? !listed.IsLinear() : ReadImageInfo(listed.file).integer;
-    if (displayed) {
-      throw Error(fmt::format(
-          "{} holds displayed colour and cannot be compared as linear HDR; expected float values.",
-          listed.file.string()));
-    }
-    return DisplayedImage(std::move(image), ColorEncoding::kLinearHdr);
-  };
-  return CompareImages(pair.name, load(pair.a), load(pair.b), border);
+  return CompareImages(pair.name, LoadCompared(pair.a, domain), LoadCompared(pair.b, domain),
+                       border);
 }
 
 FrameScore MeanScore(const std::vector<FrameScore>& scores) {

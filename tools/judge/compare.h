@@ -42,8 +42,11 @@ constexpr const char* Name(JudgedDomain domain) {
 // kDisplayed if `linear`, or if an image of the pairs is linear HDR, as its sequence says.
 JudgedDomain DomainOf(const std::vector<FramePair>& pairs, bool linear);
 
-// Loads and scores a pair. An Error names a file of integers in the domain kDisplayed: what it
-// holds is displayed already.
+// Loads an image as it is compared, without alpha. An Error names a file of integers in the domain
+// kDisplayed: what it holds is displayed already.
+Image LoadCompared(const ListedImage& listed, JudgedDomain domain);
+
+// Loads and scores a pair. Errors as LoadCompared and CompareImages.
 FrameScore ComparePair(const FramePair& pair, JudgedDomain domain, int border);
 
 // The means of `scores`; the PSNR is the mean of those that are finite, +infinity if none is.

@@ -5,23 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "tools/pictures/picture_window.h"
 #include "train/replay/mode_run.h"
 
 namespace warplut {
 
-inline constexpr int kWindowSide = 96;      // pixels of the output grid
-inline constexpr int kWindowZoom = 3;       // pixels of a picture per pixel
-inline constexpr int kWindowsOfAKind = 2;   // by error, and by disocclusion
-inline constexpr int kPicturePanelGap = 8;  // pixels of a picture
-
-// A window of one frame, with its upper left corner; smaller images are taken whole.
-struct PictureWindow {
-  std::string kind;  // "error" or "disocclusion"
-  int frame = 0;     // index in the clip
-  int x = 0, y = 0;
-  double weight = 0;  // squared error in it, or number of pixels that were not visible before
-  int image_width = 0, image_height = 0;  // of the image that it lies in
-};
+inline constexpr int kWindowsOfAKind = 2;  // by error, and by disocclusion
 
 // Finds the windows of the frames that one method is judged by where its squared error is largest,
 // and those where most was just revealed (WasVisible, train/metrics/temporal_error.h). Windows lie

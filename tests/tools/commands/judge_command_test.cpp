@@ -94,6 +94,30 @@ TEST_F(JudgeCommand, WritesPictures) {
   EXPECT_GE(pictures, kWindowsOfAKind);
 }
 
+TEST_F(JudgeCommand, SaysWhatPays) {
+  const std::vector<std::string> judge = {"judge",       "--sequence", Path("pan"),
+                                          "--modes",     "sr",         "--filter",
+                                          "catmull-rom", "--against",  "bilinear,taau"};
+  std::vector<std::string> as_json = judge, as_markdown = judge;
+  as_json.emplace_back("--json");
+  const ProgramResult result = RunWarplut(as_json);
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto document = nlohmann::json::parse(result.out);
+  const auto& payoff = document["payoff"];
+  ASSERT_EQ(payoff["tables"].size(), 1U);
+  EXPECT_EQ(payoff["tables"][0]["rows"].size(), document["sequences"][0]["methods"].size());
+  EXPECT_EQ(payoff["verdicts"][0]["name"], "catmull-rom");
+  EXPECT_EQ(payoff["verdicts"][0]["against"], "sr with bilinear");
+  as_markdown.emplace_back("--markdown");
+  EXPECT_THAT(RunWarplut(as_markdown).out,
+              testing::AllOf(HasSubstr("| pan | PSNR dB | SSIM | temporal | dPSNR | +- | dSSIM |"),
+                             HasSubstr("| sr without color-box |"), HasSubstr("| taau |"),
+                             HasSubstr("- The pass color-box")));
+  ExpectRefused(RunWarplut({"judge", "--sequence", Path("pan"), "--filter", "bilinear", "--against",
+                            "none.json"}),
+                1, "'none.json'");
+}
+
 TEST_F(JudgeCommand, NeedsOfReferencesTheirColourAlone) {
   const Streams streams = Streams::kRenderGrid | Streams::kReference;
   WritePan(folder_ / "bare", {.streams = streams});

@@ -8,6 +8,8 @@ namespace warplut::embedded {
 
 extern const std::string_view kPageStyle;    // page.css
 extern const std::string_view kPageScript;   // page.js
+extern const std::string_view kViewStyle;    // tools/view/view.css
+extern const std::string_view kViewScript;   // tools/view/view.js
 extern const std::string_view kWarpFit;      // luts/fits/warplut_x2.json
 extern const std::string_view kPipelineFit;  // luts/fits/warplut_sr_x2.json
 
