@@ -14,7 +14,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 program=$(cd "$root" && realpath "${WARPLUT:-build/release/tools/warplut}")
 mkdir -p "$1/tables"
 cd "$1"
-rm -rf frames pictures
+rm -rf frames pictures view
 ln -sfn "$root/luts" luts
 
 # The commands below are run as they are shown.
@@ -42,6 +42,10 @@ show render 9 'warplut dataset render street --out my --width 320 --height 180 -
 show inspect 27 'warplut dataset inspect my/street'
 show judge 7 'warplut judge --sequence my/colonnade --modes sr,i \
     --lut luts/baked/warplut_iir_x2.json --pictures pictures'
+show view 20 'warplut view --sequence my/colonnade --methods sr,bilinear \
+    --lut luts/baked/warplut_iir_x2.json --out view'
+show payoff 60 'warplut judge --sequence my/colonnade --modes sr --lut luts/baked/warplut_iir_x2.json \
+    --against bilinear,catmull-rom,keys:-0.65,spline:1/84'
 show train 9 'warplut train --scale 2 --data my/street my/plaza --out own_x2.json \
     --crops 8 --stages 2 --iterations 8'
 show bake 16 'warplut bake own_x2.json --out baked'
@@ -58,4 +62,5 @@ show profile 29 'warplut profile --sequence my/street my/plaza --mode sr \
 show pipeline 40 "grep --invert-match '^//' PIPELINE.h"
 
 cp pictures/colonnade-0008-error.png "$root/docs/pictures/tutorial-judge.png"
+cp view/worst-sr.png "$root/docs/pictures/tutorial-view.png"
 cp baked/own_x2.png "$root/docs/pictures/tutorial-table.png"

@@ -59,18 +59,18 @@ std::string WithError(const FrameDifference& gain, int digits) {
   return SignedCell(gain.mean, digits).text + error;
 }
 
-// "its SSIM is +0.0123 +- 0.0010 above that of X (+0.30 +- 0.02 dB)" and why that decides nothing.
+// "+0.0123 +- 0.0010 of SSIM, +0.30 +- 0.02 dB" and why that decides nothing.
 std::string GainText(const PayoffVerdict& verdict) {
-  std::string text =
-      fmt::format("{} of SSIM, {} dB, against {}", WithError(verdict.ssim, kSsimDigits),
-                  WithError(verdict.psnr, kPsnrDigits), verdict.against);
+  std::string text = fmt::format("{} of SSIM, {} dB", WithError(verdict.ssim, kSsimDigits),
+                                 WithError(verdict.psnr, kPsnrDigits));
+  if (verdict.subject != VariantKind::kPass) text += " against " + verdict.against;
   if (verdict.payoff != Payoff::kCannotTell) return text;
   if (!verdict.ssim.HasError()) {
-    return text + fmt::format("; {} judged frames are too few, {} are needed", verdict.ssim.frames,
-                              kLeastDifferingFrames);
+    return text +
+           fmt::format(" ({} frames, {} are needed)", verdict.ssim.frames, kLeastDifferingFrames);
   }
-  return text + fmt::format("; {} judged frames tell as much as {:.1f} independent ones",
-                            verdict.ssim.frames, verdict.ssim.independent);
+  return text +
+         fmt::format(" ({} frames worth {:.1f})", verdict.ssim.frames, verdict.ssim.independent);
 }
 
 std::string Sentence(const std::string& subject, const std::string& place,
@@ -128,12 +128,7 @@ class VerdictMaker {
     verdict.psnr = Reversed(table_.rows[row].psnr);
     verdict.payoff = PayoffOf(verdict.ssim, within_);
     verdict.sentence = Sentence(subject, in_method ? verdict.method : "", verdict);
-    if (kind == VariantKind::kPass) {
-      verdict.sentence.insert(verdict.sentence.size() - 1, ", which is: " + MeaningOf(row));
-    }
   }
-
-  std::string MeaningOf(std::size_t row) const { return variants_[row].meaning; }
 
   const std::vector<PipelineVariant>& variants_;
   const PayoffTable& table_;

@@ -205,7 +205,6 @@ class PipelineVariants::Maker {
                    .drawn = false},
            .kind = VariantKind::kPass,
            .change = omission.name,
-           .meaning = omission.meaning,
            .base = base});
     }
   }

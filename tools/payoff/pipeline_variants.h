@@ -33,7 +33,6 @@ struct PipelineVariant {
   VariantKind kind = VariantKind::kShipped;
   // The filter, the parameters, or the pass that is left out or made cheaper; else empty.
   std::string change = {};
-  std::string meaning = {};  // of the pass: a phrase
   // The index of the variant that it is compared with, of the same list; its own of kShipped, and
   // of methods without one.
   std::size_t base = 0;

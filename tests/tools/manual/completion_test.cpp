@@ -93,7 +93,7 @@ class BashCompletion : public testing::Test {
     std::string line;
     for (const std::string& word : words) line += " '" + word + "'";
     const std::string program =
-        "cd '" + folder_.path() + "'; source script; COMP_WORDS=(warplut" + line + "); " +
+        "cd '" + folder_.path().string() + "'; source script; COMP_WORDS=(warplut" + line + "); " +
         "COMP_CWORD=" + std::to_string(words.size()) +
         "; _warplut; for one in \"${COMPREPLY[@]}\"; do printf '%s\\n' \"$one\"; done";
     const ProgramResult result = RunProgram(*bash_, {"--norc", "-c", program});
