@@ -45,11 +45,12 @@ struct JudgedSequences {
 };
 
 // Judges every run on every sequence. A collective call of Ranks::World(): a run on a sequence is a
-// piece of work, whose owner loads the sequence and shows it from the first frame to the last; neighbouring pieces go to one rank (ContiguousOwners). Every rank receives
-// all reports: the same bits for any number of ranks and threads, but for milliseconds, which are
-// those of the owner. The root writes the pictures. A rank holds one sequence in memory at a time.
-// `pipeline` is made from the same arguments. Errors: ranks with other options or sequences; as
-// ParseFrames, Pipeline::Load, RunMode and SequenceJudge; an interruption.
+// piece of work, whose owner loads the sequence and shows it from the first frame to the last;
+// neighbouring pieces go to one rank (ContiguousOwners). Every rank receives all reports: the same
+// bits for any number of ranks and threads, but for milliseconds, which are those of the owner. The
+// root writes the pictures. A rank holds one sequence in memory at a time. `pipeline` is made from
+// the same arguments. Errors: ranks with other options or sequences; as ParseFrames,
+// Pipeline::Load, RunMode and SequenceJudge; an interruption.
 JudgedSequences JudgeSequences(const SequenceJudgingOptions& options, const Pipeline& pipeline,
                                const std::vector<Sequence>& sequences);
 

@@ -50,13 +50,13 @@ struct VariantOptions {
 void CheckAgainst(const VariantOptions& options);
 
 // Variants of every method that has passes: the method as the arguments say, then
-//   kFilter      with each filter or table, where the method warps by one
-//   kParameterSet  with the built-in parameters and with the published ones (kPaperParameters), where
-//                the method reads parameters in which they differ from those of the arguments
-//   kPass        without each pass of Omissions() (tools/profile/omission.h) that it has. Filters,
-//                and all of super resolution, have their own rows and are no passes here; the
-//                filter of the motion is none where frames are generated, as composed motion is
-//                filtered when it is loaded
+//   kFilter        with each filter or table, where the method warps by one
+//   kParameterSet  with the built-in parameters and with the published ones (kPaperParameters),
+//                  where the method reads parameters in which they differ from those in use
+//   kPass          without each pass of Omissions() (tools/profile/omission.h) that it has. Filters,
+//                  and all of super resolution, have their own rows and are no passes here; the
+//                  filter of the motion is none where frames are generated, as composed motion is
+//                  filtered when it is loaded
 // and kMethod for every other method, compared with the first of `methods` that makes frames of its
 // kind.
 class PipelineVariants {
