@@ -10,7 +10,7 @@ namespace warplut {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kLeastIndependent = 2;
+constexpr double kLeastIndependent = 3;
 
 std::vector<double> Differences(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> differences;

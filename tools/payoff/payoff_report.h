@@ -46,10 +46,10 @@ struct PayoffReport {
 // name of the file of the parameters; empty: the built-in ones.
 //
 // Verdicts, by the SSIM, as everywhere where passes and parameters are chosen:
-//   kFilter      the filter against the best other one, for each method
+//   kFilter        the filter against the best other one, for each method
 //   kParameterSet  the parameters against the best other ones, for each method
-//   kPass        each pass against its method without it
-//   kMethod      each method that was asked for against the best other one of its kind
+//   kPass          each pass against its method without it
+//   kMethod        each method that was asked for against the best other one of its kind
 PayoffReport MakePayoffReport(const std::vector<PipelineVariant>& variants,
                               const std::vector<SequenceReport>& reports, const std::string& filter,
                               bool from_table, const std::string& parameters);

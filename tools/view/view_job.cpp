@@ -43,6 +43,16 @@ std::string Plain(const std::string& text) {
   return plain;
 }
 
+// The errors of a moment in their size, labelled, side by side.
+Image ErrorPicture(const std::string& frame, const std::vector<NamedPanel>& panels) {
+  std::vector<Image> errors;
+  for (const NamedPanel& panel : panels) {
+    if (panel.note.empty()) continue;
+    errors.push_back(Labelled(panel.image, frame + "  " + panel.Label()));
+  }
+  return SideBySide(errors);
+}
+
 class View {
  public:
   explicit View(const ViewRequest& request)
@@ -136,7 +146,7 @@ class View {
       const auto panels = PanelsOf(frames_, frame, request_.amplify);
       sheet.Add(frame.name, panels);
       const std::string plain = Plain(frame.name);
-      Write("error-" + plain + ".png", Labelled(MomentPicture(frame.name, panels), Legend()));
+      Write("error-" + plain + ".png", Labelled(ErrorPicture(frame.name, panels), Legend()));
       WriteFile(
           out_ / ("flip-" + plain + ".png"),
           FlipPicture(Png(Labelled(frame.a, frame.name + "  " + frames_.a)),

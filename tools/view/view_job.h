@@ -17,7 +17,7 @@ struct ViewResult {
 //   sheet.png          frames in rows: both sources, the reference, the errors
 //   worst-SOURCE.png   the window where the source errs most, enlarged
 //   flip-FRAME.png     an animation that changes between both sources
-//   error-FRAME.png    the frame with its errors in colours
+//   error-FRAME.png    the errors of the frame in colours
 //   video.mp4          all frames, where ffmpeg is installed
 //   frames/            of methods: their frames and the references
 //   index.html         the page (view_page.h)

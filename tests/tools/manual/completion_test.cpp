@@ -93,8 +93,8 @@ class BashCompletion : public testing::Test {
     std::string line;
     for (const std::string& word : words) line += " '" + word + "'";
     const std::string program =
-        "cd '" + folder_.path().string() + "'; source script; COMP_WORDS=(warplut" + line + "); " +
-        "COMP_CWORD=" + std::to_string(words.size()) +
+        "cd '" + folder_.path().string() + "'; source ./script; COMP_WORDS=(warplut" + line +
+        "); " + "COMP_CWORD=" + std::to_string(words.size()) +
         "; _warplut; for one in \"${COMPREPLY[@]}\"; do printf '%s\\n' \"$one\"; done";
     const ProgramResult result = RunProgram(*bash_, {"--norc", "-c", program});
     EXPECT_EQ(result.code, 0) << result.err;

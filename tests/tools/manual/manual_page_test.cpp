@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 std::string PageName(std::string path) {
   std::replace(path.begin(), path.end(), ' ', '-');
-  return path + ".1";
+  return path;
 }
 
 std::string WithHyphens(std::string roff) {
@@ -33,7 +33,7 @@ TEST(ManualPage, EveryCommandHasOneWithAllItsOptions) {
   ForEachCommand(program, [&](const CommandDescription& command, const std::string& path) {
     ++commands;
     const auto page = std::find_if(pages.begin(), pages.end(), [&](const ManualPage& one) {
-      return one.name == PageName(path);
+      return one.name == PageName(path) + ".1";
     });
     ASSERT_NE(page, pages.end()) << path;
     const std::string text = WithHyphens(page->text);
@@ -48,7 +48,7 @@ TEST(ManualPage, EveryCommandHasOneWithAllItsOptions) {
       for (const std::string& choice : option.choices) EXPECT_THAT(text, HasSubstr(choice));
     }
     for (const CommandDescription& below : command.commands) {
-      EXPECT_THAT(text, HasSubstr("\\fB" + path + "-" + below.name + "\\fR(1)")) << path;
+      EXPECT_THAT(text, HasSubstr("\\fB" + PageName(path + " " + below.name) + "\\fR(1)")) << path;
     }
   });
   EXPECT_EQ(pages.size(), commands);
