@@ -53,8 +53,8 @@ void CheckAgainst(const VariantOptions& options);
 //   kFilter        with each filter or table, where the method warps by one
 //   kParameterSet  with the built-in parameters and with the published ones (kPaperParameters),
 //                  where the method reads parameters in which they differ from those in use
-//   kPass          without each pass of Omissions() (tools/profile/omission.h) that it has. Filters,
-//                  and all of super resolution, have their own rows and are no passes here; the
+//   kPass          without each pass of Omissions() (tools/profile/omission.h) that it has.
+//                  Filters, and all of super resolution, have their own rows and are no passes; the
 //                  filter of the motion is none where frames are generated, as composed motion is
 //                  filtered when it is loaded
 // and kMethod for every other method, compared with the first of `methods` that makes frames of its
