@@ -45,7 +45,7 @@ TEST(ViewCommand, RefusesWhatMakesNoSense) {
 
 TEST(ViewCommand, AnInterruptionLeavesNoPage) {
   const TemporaryFolder folder;
-  WritePan(folder / "pan", {.frames = 40, .render = {320, 240}, .output = {640, 480}});
+  WritePan(folder / "pan", {.frames = 12, .render = {160, 120}, .output = {320, 240}});
   ExpectRefused(RunWarplut({"view", "--sequence", folder / "pan", "--filter", "bilinear", "--out",
                             folder / "out"},
                            {.signal_when = folder / "out" / "frames/sr/0011.png"}),
