@@ -83,6 +83,19 @@ const MethodInfo& MethodOf(const std::string& name) {
   throw Error(fmt::format("'{}' is not a method; expected {}", name, fmt::join(known, ", ")));
 }
 
+std::vector<const MethodInfo*> MethodsOf(const std::vector<std::string>& names,
+                                         const std::string& option) {
+  std::vector<const MethodInfo*> methods;
+  for (const std::string& name : names) {
+    const MethodInfo& method = MethodOf(name);
+    if (std::find(methods.begin(), methods.end(), &method) != methods.end()) {
+      throw Error(fmt::format("{} has {} twice; expected it once", option, name));
+    }
+    methods.push_back(&method);
+  }
+  return methods;
+}
+
 void CheckArguments(const PipelineArguments& arguments) {
   if (arguments.lut.empty() == arguments.filter.empty()) {
     throw Error("the filter of the history is not clear; expected --lut FILE or --filter NAME");

@@ -49,6 +49,11 @@ std::vector<std::string> HistoryFormatNames();
 // The method of that name; an Error lists those that exist.
 const MethodInfo& MethodOf(const std::string& name);
 
+// The methods of these names, in their order. Error: a name that there is not, or one twice;
+// `option` is the option that has them.
+std::vector<const MethodInfo*> MethodsOf(const std::vector<std::string>& names,
+                                         const std::string& option);
+
 class Pipeline {
  public:
   // Reads the LUT and the parameters. Errors as LoadTable and ReadParameters.

@@ -20,16 +20,12 @@
 namespace warplut {
 namespace {
 
-std::vector<const MethodInfo*> MethodsOf(const std::vector<std::string>& names) {
-  std::vector<const MethodInfo*> methods;
-  for (const std::string& name : names) {
-    const MethodInfo& method = MethodOf(name);
-    RequireUsage(
-        !method.paper && !method.parameters.empty(),
-        fmt::format("the mode {} has no parameters to calibrate; expected one that has", name));
-    RequireUsage(std::find(methods.begin(), methods.end(), &method) == methods.end(),
-                 fmt::format("--modes has {} twice; expected it once", name));
-    methods.push_back(&method);
+std::vector<const MethodInfo*> CalibratedMethods(const std::vector<std::string>& names) {
+  const std::vector<const MethodInfo*> methods = MethodsOf(names, "--modes");
+  for (const MethodInfo* method : methods) {
+    RequireUsage(!method->paper && !method->parameters.empty(),
+                 fmt::format("the mode {} has no parameters to calibrate; expected one that has",
+                             method->name));
   }
   return methods;
 }
@@ -99,7 +95,7 @@ CalibrationOptions OptionsOf(const CalibrationRequest& request,
 
 CalibrationReport RunCalibration(const CalibrationRequest& request) {
   const std::vector<const MethodInfo*> methods = AsUsage([&] {
-    std::vector<const MethodInfo*> known = MethodsOf(request.modes);
+    std::vector<const MethodInfo*> known = CalibratedMethods(request.modes);
     CheckArguments(request.pipeline);
     return known;
   });

@@ -59,7 +59,7 @@ class Keeper {
 
  private:
   bool BaseIsAsGood() {
-    const PairedDifference cost = Compare(base_, optimum_);
+    const LossDifference cost = Compare(base_, optimum_);
     return cost.mean <= cost.standard_error;
   }
 
@@ -95,7 +95,7 @@ class Keeper {
                          [this](const Point& point) { return Factor(point); });
   }
 
-  PairedDifference Compare(const Candidate& a, const Candidate& b) {
+  LossDifference Compare(const Candidate& a, const Candidate& b) {
     const std::vector<double>* of_a = log_.Residuals(a.parameters, 0);
     const std::vector<double>* of_b = log_.Residuals(b.parameters, 0);
     if (of_a == nullptr || of_b == nullptr) return {std::numeric_limits<double>::infinity(), 0};
@@ -115,7 +115,7 @@ class Keeper {
         const std::optional<double> loss = log_.Loss(parameters);
         if (!loss) return;
         if (cheapest && !(*loss < nearer.loss)) continue;
-        const PairedDifference cost = Compare({parameters, *loss}, from);
+        const LossDifference cost = Compare({parameters, *loss}, from);
         if (cost.mean > cost.standard_error || *loss > base_.loss) continue;
         cheapest = i;
         nearer = {parameters, *loss};
@@ -137,9 +137,9 @@ class Keeper {
 
 }  // namespace
 
-PairedDifference CompareLosses(const std::vector<double>& a, const std::vector<double>& b,
-                               const std::vector<int>& sources) {
-  PairedDifference result;
+LossDifference CompareLosses(const std::vector<double>& a, const std::vector<double>& b,
+                             const std::vector<int>& sources) {
+  LossDifference result;
   std::vector<double> differences;
   std::map<int, double> of_source;
   for (std::size_t k = 0; k < a.size(); ++k) {

@@ -17,12 +17,12 @@ struct KeptPoint {
 // The loss of a minus that of b, from their residuals, and its standard error: differences are
 // paired, residual by residual, and independent, or, if that is more, independent between sources
 // only; with one source the former.
-struct PairedDifference {
+struct LossDifference {
   double mean = 0;
   double standard_error = 0;
 };
-PairedDifference CompareLosses(const std::vector<double>& a, const std::vector<double>& b,
-                               const std::vector<int>& sources);
+LossDifference CompareLosses(const std::vector<double>& a, const std::vector<double>& b,
+                             const std::vector<int>& sources);
 
 // 1. The base, if its loss is more than the optimum's by no more than one standard error: the
 //    one-standard-error rule of Breiman, Friedman, Olshen and Stone, "Classification and Regression

@@ -61,7 +61,7 @@ TEST(CompareLosses, ErrorsArePairedAndThoseOfTheSourcesIfTheyAreMore) {
   // Differences 1, 3, 1, 3: their sum has the variance 4 / 3 * 4.
   const std::vector<double> a = {residual(11), residual(23), residual(31), residual(43)};
   const std::vector<double> b = {residual(10), residual(20), residual(30), residual(40)};
-  const PairedDifference apart = CompareLosses(a, b, {0, 1, 2, 3});
+  const LossDifference apart = CompareLosses(a, b, {0, 1, 2, 3});
   EXPECT_NEAR(apart.mean, 8, 1e-9);
   EXPECT_NEAR(apart.standard_error, std::sqrt(16.0 / 3), 1e-9);
   // Sums of the sources 2 and 6.

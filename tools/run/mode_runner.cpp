@@ -1,0 +1,115 @@
+#include "tools/run/mode_runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "datasets/file.h"
+#include "tools/pictures/hud_layer.h"
+#include "tools/terminal/interrupt.h"
+#include "tools/terminal/progress.h"
+#include "tools/terminal/warning.h"
+#include "tools/usage_error.h"
+#include "train/replay/judged_frames.h"
+
+namespace warplut {
+namespace {
+
+ShownFormat FormatOf(const RunRequest& request, const Sequence& sequence) {
+  const bool linear = sequence.color_space == ColorSpace::kLinear;
+  if (request.format.empty()) return linear ? ShownFormat::kExr : ShownFormat::kPng;
+  RequireUsage(!linear || request.format == "exr",
+               fmt::format("'{}' has linear colour, which .png cannot hold; expected --format exr",
+                           sequence.name));
+  return request.format == "exr" ? ShownFormat::kExr : ShownFormat::kPng;
+}
+
+double ShownFrames(const ModeRunOptions& options, int count) {
+  const int rendered = (count - 1) / options.every + 1;
+  if (options.method->generation == Generation::kNone) return rendered;
+  return rendered + (rendered - 1.0) * static_cast<double>(Alphas(options).size());
+}
+
+}  // namespace
+
+ModeRunner::ModeRunner(const RunRequest& request)
+    : request_(request),
+      methods_(AsUsage([&] {
+        std::vector<const MethodInfo*> methods = MethodsOf(request.modes, "--mode");
+        CheckDevice(request.device);
+        CheckArguments(request.pipeline);
+        return methods;
+      })),
+      pipeline_(request.pipeline),
+      sequence_(ReadSequenceFor(pipeline_, request.sequence, methods_)),
+      format_(FormatOf(request, sequence_)),
+      range_(ParseFrames(request.pipeline.frames, sequence_)),
+      device_(OpenDevice(request.device)),
+      pool_(request.pipeline.threads) {}
+
+std::vector<ModeOutput> ModeRunner::Run() {
+  RequireWritableFolder(request_.out);
+  for (const MethodInfo* method : methods_) CheckMode(*method);
+  std::vector<ModeOutput> outputs;
+  for (const MethodInfo* method : methods_) outputs.push_back(RunOne(*method));
+  return outputs;
+}
+
+ModeRunOptions ModeRunner::OptionsOf(const MethodInfo& method) const {
+  ModeRunOptions options = pipeline_.Options(method, request_.every);
+  options.device = device_.get();
+  return options;
+}
+
+Clip ModeRunner::Load(const FrameRange& range, const MethodInfo& method) const {
+  const ModeRunOptions options = OptionsOf(method);
+  Clip clip = pipeline_.Load(sequence_, range, {&method}, Streams::kNone, options.every);
+  std::string why;
+  if (!options.IsValid(clip, &why)) throw Error(why);
+  return clip;
+}
+
+// Streams and choices that a later mode lacks are told before the first one runs.
+void ModeRunner::CheckMode(const MethodInfo& method) const {
+  LoadFrame(sequence_, range_.first, NeededStreams(method, AvailableStreams(sequence_)));
+  if (device_ == nullptr) return;
+  // One frame that is rendered after the first.
+  Load({range_.first, std::min(range_.count, request_.every + 1)}, method);
+}
+
+ModeOutput ModeRunner::RunOne(const MethodInfo& method) {
+  const ModeRunOptions options = OptionsOf(method);
+  const Clip clip = Load(range_, method);
+  std::optional<Clip> truth;
+  std::optional<SequenceJudge> judge;
+  if (request_.score) {
+    truth = LoadClip(sequence_, range_.first, range_.count,
+                     JudgingStreams(method, AvailableStreams(sequence_)));
+    judge.emplace(*truth, method, kScoreBorder, request_.settled);
+  }
+  WarnOfLimitedColor({&clip, truth ? &*truth : nullptr});
+  ModeOutput output;
+  output.mode = method.name;
+  output.folder = request_.out;
+  if (methods_.size() > 1) output.folder /= output.mode;
+  CreateFolder(output.folder);
+  const int first = clip.frames.front().number;
+  HudLayer hud(sequence_, range_.first, pool_);
+  Progress progress("running " + output.mode,
+                    ShownFrames(options, static_cast<int>(clip.frames.size())), "frames");
+  RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
+    ThrowIfInterrupted("run", "the frames that are written are whole");
+    WriteShownFrame(output.folder, first, hud.Over(shown), clip.encoding, format_);
+    output.files.push_back(ShownFileName(first, shown.time, format_));
+    if (judge) judge->Add(shown);
+    progress.Add(1);
+  });
+  if (judge) {
+    output.scores = SequenceReport{.sequence = sequence_.name,
+                                   .methods = {judge->Finish()},
+                                   .notes = JudgingNotes(sequence_, {&method})};
+  }
+  return output;
+}
+
+}  // namespace warplut
