@@ -15,15 +15,15 @@ namespace {
 std::vector<std::string> Training(const TemporaryFolder& folder, const std::string& fit,
                                   const char* stages, const char* iterations,
                                   const std::vector<std::string>& more = {}) {
-  return CommandLine({"train"},
-                     {{"--data", WriteWavyImage(folder / "image.png", 256, 256)},
-                      {"--out", fit},
-                      {"--name", "fit"},
-                      {"--horizons", "2"},
-                      {"--crops", "16"},
-                      {"--iterations", iterations},
-                      {"--stages", stages}},
-                     more);
+  return WithDefaults({"train"},
+                      {{"--data", WriteWavyImage(folder / "image.png", 256, 256)},
+                       {"--out", fit},
+                       {"--name", "fit"},
+                       {"--horizons", "2"},
+                       {"--crops", "16"},
+                       {"--iterations", iterations},
+                       {"--stages", stages}},
+                      more);
 }
 
 TEST(Interruption, StopsARenderingBetweenFramesAndGoesOn) {

@@ -27,13 +27,13 @@ class Outputs : public testing::Test {
   std::string Path(const std::string& name) const { return folder_ / name; }
 
   std::vector<std::string> Train(const std::vector<std::string>& more) const {
-    return CommandLine({"train"},
-                       {{"--prefilter", "none"},
-                        {"--horizons", "2"},
-                        {"--crops", "1"},
-                        {"--iterations", "1"},
-                        {"--stages", "1"}},
-                       more);
+    return WithDefaults({"train"},
+                        {{"--prefilter", "none"},
+                         {"--horizons", "2"},
+                         {"--crops", "1"},
+                         {"--iterations", "1"},
+                         {"--stages", "1"}},
+                        more);
   }
 
   const TemporaryFolder folder_;

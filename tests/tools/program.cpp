@@ -116,7 +116,7 @@ ProgramResult RunWarplut(const std::vector<std::string>& arguments, const Progra
   return result;
 }
 
-std::vector<std::string> CommandLine(
+std::vector<std::string> WithDefaults(
     std::vector<std::string> command,
     const std::vector<std::pair<std::string, std::string>>& defaults,
     const std::vector<std::string>& more) {

@@ -22,10 +22,10 @@ struct ProgramResult {
 };
 
 struct ProgramSetup {
-  std::string standard_output;        // a file to write to instead of a pipe
-  long file_size_limit = 0;           // bytes that a file may have (a full disk); 0: no limit
-  std::filesystem::path signal_when;  // once this exists, SIGINT is sent
-  int signal_after = 0;               // milliseconds after SIGINT has a handler, it is sent; 0: not
+  std::string standard_output = {};        // a file to write to instead of a pipe
+  long file_size_limit = 0;                // bytes that a file may have (a full disk); 0: no limit
+  std::filesystem::path signal_when = {};  // once this exists, SIGINT is sent
+  int signal_after = 0;  // milliseconds after SIGINT has a handler, it is sent; 0: not
 };
 
 ProgramResult RunProgram(const std::string& program, const std::vector<std::string>& arguments,
@@ -35,7 +35,7 @@ ProgramResult RunWarplut(const std::vector<std::string>& arguments, const Progra
 
 // `command`, then those of `defaults` (options with one value) that `more` does not name, then
 // `more`.
-std::vector<std::string> CommandLine(
+std::vector<std::string> WithDefaults(
     std::vector<std::string> command,
     const std::vector<std::pair<std::string, std::string>>& defaults,
     const std::vector<std::string>& more);

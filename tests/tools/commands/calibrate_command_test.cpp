@@ -35,13 +35,13 @@ class CalibrateCommand : public testing::Test {
   std::string Out() const { return Path("params.json"); }
 
   std::vector<std::string> Arguments(const std::vector<std::string>& more = {}) const {
-    return CommandLine({"calibrate"},
-                       {{"--sequence", Street()},
-                        {"--filter", "catmull-rom"},
-                        {"--starts", "0"},
-                        {"--fit", "sr_depth_threshold,blend_a"},
-                        {"--out", Out()}},
-                       more);
+    return WithDefaults({"calibrate"},
+                        {{"--sequence", Street()},
+                         {"--filter", "catmull-rom"},
+                         {"--starts", "0"},
+                         {"--fit", "sr_depth_threshold,blend_a"},
+                         {"--out", Out()}},
+                        more);
   }
 
   static std::unique_ptr<TemporaryFolder> scenes_;

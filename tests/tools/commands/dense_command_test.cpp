@@ -11,13 +11,13 @@ namespace warplut {
 namespace {
 
 ProgramResult Dense(const std::vector<std::string>& more) {
-  return RunWarplut(CommandLine({"dense"},
-                                {{"--width", "48"},
-                                 {"--height", "32"},
-                                 {"--samples", "1"},
-                                 {"--warm-up", "4"},
-                                 {"--frames", "4"}},
-                                more));
+  return RunWarplut(WithDefaults({"dense"},
+                                 {{"--width", "48"},
+                                  {"--height", "32"},
+                                  {"--samples", "1"},
+                                  {"--warm-up", "4"},
+                                  {"--frames", "4"}},
+                                 more));
 }
 
 TEST(DenseCommand, JudgesScenesAndWritesPictures) {

@@ -33,12 +33,12 @@ class DeviceOption : public testing::TestWithParam<TestedDevice> {
 
   ProgramResult Run(const std::string& modes, const std::string& device,
                     const std::vector<std::string>& more = {}) const {
-    return RunWarplut(CommandLine({"run", "--mode", modes},
-                                  {{"--sequence", Path("pan")},
-                                   {"--filter", "catmull-rom"},
-                                   {"--device", device},
-                                   {"--out", Path(device)}},
-                                  more));
+    return RunWarplut(WithDefaults({"run", "--mode", modes},
+                                   {{"--sequence", Path("pan")},
+                                    {"--filter", "catmull-rom"},
+                                    {"--device", device},
+                                    {"--out", Path(device)}},
+                                   more));
   }
 
   ProgramResult Judge(const std::string& device) const {

@@ -124,8 +124,8 @@ TEST_F(JudgeCommand, NeedsOfReferencesTheirColourAlone) {
   const auto eval = [&](const std::string& modes, const std::string& sequence,
                         const std::vector<std::string>& more = {}) {
     return RunWarplut(
-        CommandLine({"judge", "--sequence", Path(sequence), "--filter", "catmull-rom"},
-                    {{"--modes", modes}}, more));
+        WithDefaults({"judge", "--sequence", Path(sequence), "--filter", "catmull-rom"},
+                     {{"--modes", modes}}, more));
   };
   const ProgramResult bare = eval("sr,i", "bare", {"--json"});
   ASSERT_EQ(bare.code, 0) << bare.err;

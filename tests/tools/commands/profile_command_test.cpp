@@ -21,12 +21,12 @@ class ProfileCommand : public testing::Test {
 
   ProgramResult Profile(const std::vector<std::string>& more,
                         const ProgramSetup& setup = {}) const {
-    return RunWarplut(CommandLine({"profile"},
-                                  {{"--sequence", Path("pan")},
-                                   {"--mode", "sr"},
-                                   {"--filter", "catmull-rom"},
-                                   {"--out", Path("PIPELINE.h")}},
-                                  more),
+    return RunWarplut(WithDefaults({"profile"},
+                                   {{"--sequence", Path("pan")},
+                                    {"--mode", "sr"},
+                                    {"--filter", "catmull-rom"},
+                                    {"--out", Path("PIPELINE.h")}},
+                                   more),
                       setup);
   }
 

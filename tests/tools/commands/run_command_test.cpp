@@ -28,7 +28,7 @@ class RunCommand : public testing::Test {
 
   std::vector<std::string> Arguments(const std::string& mode,
                                      const std::vector<std::string>& more = {}) const {
-    return CommandLine(
+    return WithDefaults(
         {"run", "--mode", mode},
         {{"--sequence", Path("pan")}, {"--filter", "catmull-rom"}, {"--out", Path("out")}}, more);
   }
