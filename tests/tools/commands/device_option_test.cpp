@@ -28,7 +28,10 @@ struct TestedDevice {
 
 class DeviceOption : public testing::TestWithParam<TestedDevice> {
  protected:
-  DeviceOption() { WritePan(folder_ / "pan"); }
+  DeviceOption() {
+    WritePan(folder_ / "pan");
+    WritePan(folder_ / "linear", {.color_space = ColorSpace::kLinear});
+  }
   std::string Path(const std::string& name) const { return folder_ / name; }
 
   ProgramResult Run(const std::string& modes, const std::string& device,
@@ -42,7 +45,7 @@ class DeviceOption : public testing::TestWithParam<TestedDevice> {
   }
 
   ProgramResult Judge(const std::string& device) const {
-    return RunWarplut({"judge", "--sequence", Path("pan"), "--modes", "sr,i", "--filter",
+    return RunWarplut({"judge", "--sequence", Path("linear"), "--modes", "sr,i", "--filter",
                        "catmull-rom", "--history", "rgba32f", "--device", device, "--json"});
   }
 
@@ -87,8 +90,9 @@ TEST_P(DeviceOption, RunWritesTheFramesOfTheProcessor) {
   }
 }
 
-// Scores are those of the processor within what whole runs may differ (tests/runtime/gpu). The
-// history is in floats: rounding it to halves moves the scores of so few pixels by more.
+// Scores are those of the processor within what whole runs may differ (tests/runtime/gpu). History
+// and frames are in floats: to round them to halves, or to 8 bits before they are blended, moves
+// the scores of so few pixels by more.
 TEST_P(DeviceOption, JudgeScoresAsTheProcessor) {
   const ProgramResult gpu = Judge(device_);
   if (gpu.code != 0) GTEST_SKIP() << gpu.err;
