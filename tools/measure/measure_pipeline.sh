@@ -12,12 +12,20 @@ set -eu
 . "$(dirname "$0")/measuring.sh"
 lut=luts/baked/warplut_iir_x2.json
 
+# without_times < FILE: tables of judge without their last column. Times are those of the benchmarks.
+without_times() { sed -E '/^[|]/s/[^|]*[|]$//'; }
+
+# judge OPTION...: the tables of warplut judge, without times.
+judge() {
+  "$warplut" judge --markdown "$@" > "$out/judged.md"
+  without_times < "$out/judged.md"
+}
+
 # defaults TABLE OPTION...: judges the recorded sequences with the default parameters.
 defaults() {
   table=$out/tables/$1.md
   shift
-  "$warplut" judge --sequence "$data"/*/sequence.json --modes sr,i,isr --lut "$lut" --markdown "$@" \
-    > "$table.part"
+  judge --sequence "$data"/*/sequence.json --modes sr,i,isr --lut "$lut" "$@" > "$table.part"
   mv "$table.part" "$table"
 }
 
@@ -47,7 +55,7 @@ leave_one_out() {
     "$warplut" judge --sequence "$judged" --modes sr,sr-paper,i,i-paper,e,isr,esr --lut "$lut" \
       --params "$params" --pictures "$out/pictures$(echo "$options" | tr -d ' ')" --markdown $options \
       > "$out/$name.txt"
-    grep -v '\.png: ' "$out/$name.txt" >> "$table.part"
+    without_times < "$out/$name.txt" | sed '/\.png: /d' >> "$table.part"
     # shellcheck disable=SC2086
     set -- $options
   done
@@ -63,8 +71,8 @@ scales() {
       render_missing "$scene" "$out/scenes-x$scale" --scale "$scale" --width 714 --height 408 --frames 8
     done
     printf 'Factor %s:\n\n' "$scale" >> "$table.part"
-    "$warplut" judge --sequence "$out/scenes-x$scale"/* --modes sr --markdown \
-      --lut "luts/baked/warplut_sr_x$(echo "$scale" | tr . _).json" >> "$table.part"
+    judge --sequence "$out/scenes-x$scale"/* --modes sr \
+      --lut "luts/baked/warplut_iir_x$(echo "$scale" | tr . _).json" >> "$table.part"
   done
   mv "$table.part" "$table"
 }
@@ -84,8 +92,8 @@ hdr() {
           --width 480 --height 270 --frames 8 $option
       done
       printf '%s, exposure %s:\n\n' "$colour" "$exposure" >> "$table.part"
-      "$warplut" judge --sequence "$out/scenes-$colour-$exposure"/* --modes sr,i,e,isr --lut "$lut" \
-        --markdown >> "$table.part"
+      judge --sequence "$out/scenes-$colour-$exposure"/* --modes sr,i,e,isr --lut "$lut" \
+        >> "$table.part"
     done
   done
   mv "$table.part" "$table"
