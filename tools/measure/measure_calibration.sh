@@ -10,7 +10,7 @@ set -eu
 
 # shellcheck source=tools/measure/measuring.sh
 . "$(dirname "$0")/measuring.sh"
-lut=luts/baked/warplut_iir_x2.json
+lut=luts/baked/warplut_x2.json
 table=$out/tables/calibration.md
 
 # judge MODES FITTED HELD_OUT OPTION...: one row, of the mean 1 - SSIM over the held-out clips.
