@@ -33,12 +33,17 @@ def parse_arguments():
     )
     parser.add_argument("--out", required=True, help="folder of the sequence")
     parser.add_argument("--width", type=int, help="width of the references (default: the scene's)")
-    parser.add_argument("--height", type=int, help="height of the references (default: the scene's)")
+    parser.add_argument(
+        "--height", type=int, help="height of the references (default: the scene's)"
+    )
     parser.add_argument("--scale", type=float, default=2, help="upscale factor in [1, 4]")
     parser.add_argument("--frames", help="first and last frame, as A:B (default: the scene's)")
     parser.add_argument("--samples", type=int, default=256, help="samples of a reference's pixel")
     parser.add_argument(
-        "--light-samples", type=int, default=64, help="paths of light at the point of a rendered pixel"
+        "--light-samples",
+        type=int,
+        default=64,
+        help="paths of light at the point of a rendered pixel",
     )
     parser.add_argument("--name", help="name of the sequence (default: that of the .blend file)")
     parser.add_argument("--resume", action="store_true", help="keep frames that are there")
@@ -92,13 +97,17 @@ def check(arguments, scene):
         raise ExportError("the pixels are not square; expected a pixel aspect of 1")
     for camera in {c for c in [scene.camera] + [m.camera for m in scene.timeline_markers] if c}:
         if camera.data.type not in ("PERSP", "ORTHO"):
-            raise ExportError(f"camera '{camera.name}' is panoramic; expected perspective or orthographic")
+            raise ExportError(
+                f"camera '{camera.name}' is panoramic; expected perspective or orthographic"
+            )
         animation = camera.data.animation_data
         curves = list(animation.drivers) if animation else []
         if animation and animation.action:
             curves += animation.action.fcurves
         if any(curve.data_path in ("shift_x", "shift_y") for curve in curves):
-            raise ExportError(f"the shift of camera '{camera.name}' is animated; the jitter needs it")
+            raise ExportError(
+                f"the shift of camera '{camera.name}' is animated; the jitter needs it"
+            )
     if scene.camera is None:
         raise ExportError("the scene has no camera")
     return output, tuple(max(1, round(side / arguments.scale)) for side in output)
@@ -135,7 +144,7 @@ def prepare(scene):
 
 
 def set_sampling(scene, samples, point):
-    """`point`: all samples of a pixel at its centre; else the filter that Blender has by default."""
+    """`point`: all samples of a pixel at its centre; else the default filter of Blender."""
     if scene.render.engine == "CYCLES":
         scene.cycles.samples = samples
         scene.cycles.pixel_filter_type = "BLACKMAN_HARRIS"
@@ -154,7 +163,7 @@ def shift_unit(camera, size):
 
 
 def render_frame(scene, frame, size, jitter, path):
-    """Renders `frame` at `size` to `path`, its samples off the pixel centres by `jitter`, y down."""
+    """Renders `frame` at `size` to `path`, samples off the pixel centres by `jitter`, y down."""
     scene.frame_set(frame)
     camera = scene.camera
     scene.render.resolution_x, scene.render.resolution_y = size
@@ -203,7 +212,9 @@ def channel(names, layer, *endings):
     for ending in endings:
         if f"{layer}.{ending}" in names:
             return f"{layer}.{ending}"
-    raise ExportError(f"layer '{layer}' has no channel {' or '.join(endings)}; it has {', '.join(names)}")
+    raise ExportError(
+        f"layer '{layer}' has no channel {' or '.join(endings)}; it has {', '.join(names)}"
+    )
 
 
 def matrix(rows):

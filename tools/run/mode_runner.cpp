@@ -69,7 +69,7 @@ Clip ModeRunner::Load(const FrameRange& range, const MethodInfo& method) const {
   return clip;
 }
 
-// Streams and choices that a later mode lacks are told before the first one runs.
+// Runs before the first mode: an Error tells what a later one lacks, a stream or a choice.
 void ModeRunner::CheckMode(const MethodInfo& method) const {
   LoadFrame(sequence_, range_.first, NeededStreams(method, AvailableStreams(sequence_)));
   if (device_ == nullptr) return;

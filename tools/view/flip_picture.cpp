@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "datasets/error.h"
+#include "datasets/images/png_chunks.h"
 
 namespace warplut {
 namespace {
-
-constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 
 struct Chunk {
   std::string_view type, data;
@@ -23,40 +22,24 @@ void Append16(std::uint32_t value, std::string& bytes) {
   for (int shift = 8; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
 }
 
-std::uint32_t Read32(std::string_view bytes) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-  return value;
-}
-
-// CRC-32 of annex D.
-std::uint32_t Crc(std::string_view bytes) {
-  std::uint32_t crc = 0xffffffff;
-  for (const char byte : bytes) {
-    crc ^= static_cast<unsigned char>(byte);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? 0xedb88320 ^ crc >> 1 : crc >> 1;
-  }
-  return ~crc;
-}
-
 void AppendChunk(std::string_view type, std::string_view data, std::string& bytes) {
   Append32(static_cast<std::uint32_t>(data.size()), bytes);
   const std::size_t begin = bytes.size();
   bytes += type;
   bytes += data;
-  Append32(Crc(std::string_view(bytes).substr(begin)), bytes);
+  Append32(PngChecksum(std::string_view(bytes).substr(begin)), bytes);
 }
 
 std::vector<Chunk> ChunksOf(std::string_view png) {
   const auto damaged = [] {
     throw Error("a picture to flip is no PNG file; expected a whole one");
   };
-  if (!png.starts_with(kSignature)) damaged();
+  if (!png.starts_with(kPngSignature)) damaged();
   std::vector<Chunk> chunks;
   constexpr std::size_t kAround = 12;  // length, type and CRC
-  for (std::size_t at = kSignature.size(); at < png.size();) {
+  for (std::size_t at = kPngSignature.size(); at < png.size();) {
     if (png.size() - at < kAround) damaged();
-    const std::size_t length = Read32(png.substr(at));
+    const std::size_t length = PngNumber(png.substr(at));
     if (png.size() - at - kAround < length) damaged();
     chunks.push_back({.type = png.substr(at + 4, 4), .data = png.substr(at + 8, length)});
     at += kAround + length;
@@ -87,7 +70,7 @@ std::string FlipPicture(std::string_view first, std::string_view second, int mil
   if (a.front().data != b.front().data) {
     throw Error("two pictures to flip differ in size or type; expected the same");
   }
-  std::string bytes(kSignature), animation;
+  std::string bytes(kPngSignature), animation;
   std::uint32_t sequence = 0;
   AppendChunk("IHDR", a.front().data, bytes);
   Append32(2, animation);  // frames

@@ -1,5 +1,5 @@
-// The way of a pixel of frame 1 by the perspective motion model: runtime/generation/motion/motion_model.h
-// and surface_before.h, line by line. Before it comes generation.glsl.
+// The way of a pixel of frame 1 by the perspective motion model, line by line as in
+// runtime/generation/motion/motion_model.h and surface_before.h. Before it comes generation.glsl.
 
 // A depth that can be divided by.
 float NotZero(float depth) { return max(depth, kLeastSurfaceDepth); }

@@ -10,7 +10,8 @@
 
 namespace warplut {
 
-// Of texels as they are, and linear between them; beyond the edges the outermost.
+// `nearest` reads texels as they are, `linear` blends between them. Positions beyond the edges have
+// the outermost texels.
 struct VulkanSamplers {
   VkSampler nearest = VK_NULL_HANDLE, linear = VK_NULL_HANDLE;
 };
