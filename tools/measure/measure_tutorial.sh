@@ -29,7 +29,7 @@ show() {
   {
     echo '```'
     echo "\$ $3"
-    cut -c 1-120 "$1.txt" | head -n "$2"
+    cut -c 1-120 "$1.txt" | sed 's/ *$//' | head -n "$2"
     if [ "$(wc -l < "$1.txt")" -gt "$2" ]; then echo '...'; fi
     echo '```'
   } > "tables/tutorial-$1.md"
