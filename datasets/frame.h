@@ -32,6 +32,8 @@ struct Camera {
 //   reactive          1 channel: from 0, history is trusted as without it, to 1, there is none.
 //   hud               4 channels R, G, B, alpha: what is drawn over the frame on the output grid,
 //                     in the encoding of the colour, premultiplied by alpha.
+//   alpha             1 channel: how much of the pixel the colour covers, 0 to 1. Colour is
+//                     premultiplied by it. reference_alpha likewise.
 //   jitter            LR pixel (i, j) shows what projects, unjittered, to
 //                     (i + 0.5 + x, j + 0.5 + y).
 struct Frame {
@@ -41,6 +43,8 @@ struct Frame {
   Image reference, reference_depth, reference_motion;  // output grid (HR)
   Image reactive;                                      // render grid
   Image hud;                                           // output grid
+  Image alpha;                                         // render grid
+  Image reference_alpha;                               // output grid
   Vec2 jitter;
   std::optional<Camera> camera;
 };

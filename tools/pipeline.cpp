@@ -183,7 +183,7 @@ Clip Pipeline::Load(const Sequence& sequence, const FrameRange& range,
 
 Sequence ReadSequenceFor(const Pipeline& pipeline, const std::string& path,
                          const std::vector<const MethodInfo*>& methods) {
-  Sequence sequence = ReadSequence(path);
+  Sequence sequence = ReadSequence(path, pipeline.streams_below());
   if (std::none_of(methods.begin(), methods.end(),
                    [](const MethodInfo* method) { return HasHistory(*method); })) {
     return sequence;

@@ -15,10 +15,11 @@ namespace warplut {
 // As on the command line. Exactly one of `lut` and `filter` is given.
 struct PipelineArguments {
   std::string lut = {};
-  std::string filter = {};  // bilinear, catmull-rom or keys:A
-  std::string lookup = {};  // empty: bilinear
-  std::string params = {};  // empty: the defaults
-  std::string frames = {};  // A:B, numbers of the first and the last; empty: all
+  std::string filter = {};         // bilinear, catmull-rom or keys:A
+  std::string lookup = {};         // empty: bilinear
+  std::string params = {};         // empty: the defaults
+  std::string streams_below = {};  // ReadSequence; empty: below the manifest's folder
+  std::string frames = {};         // A:B, numbers of the first and the last; empty: all
   int generated = 1;
   std::vector<float> alphas = {};
   std::string motion_filter = "auto";  // where a clip's motion is quantised; "on" or "off"
@@ -63,6 +64,9 @@ class Pipeline {
 
   // For RunMode; the pipeline outlives its use.
   ModeRunOptions Options(const MethodInfo& method, int every) const;
+
+  // What ReadSequence takes beside the manifest.
+  const std::string& streams_below() const { return arguments_.streams_below; }
 
   // The filter's name: of the table, or as it was given.
   const std::string& filter_name() const { return filter_name_; }

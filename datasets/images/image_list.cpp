@@ -24,8 +24,8 @@ bool IsImageName(const fs::path& path) {
                      [&](const char* extension) { return HasExtension(path, extension); });
 }
 
-std::vector<ListedImage> ListSequence(const fs::path& path) {
-  const auto sequence = std::make_shared<const Sequence>(ReadSequence(path));
+std::vector<ListedImage> ListSequence(const fs::path& path, const fs::path& streams_below) {
+  const auto sequence = std::make_shared<const Sequence>(ReadSequence(path, streams_below));
   const Streams stream = sequence->reference ? Streams::kReference : Streams::kColor;
   std::vector<ListedImage> images;
   for (int index = 0; index < sequence->count; ++index) {
@@ -57,17 +57,18 @@ std::vector<ListedImage> ListFiles(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<ListedImage> ListImages(const fs::path& path) {
+std::vector<ListedImage> ListImages(const fs::path& path, const fs::path& streams_below) {
   if (!fs::exists(path)) throw Error(fmt::format("'{}' does not exist", path.string()));
   if (!fs::is_directory(path)) {
-    if (HasExtension(path, ".json")) return ListSequence(path);
+    if (HasExtension(path, ".json")) return ListSequence(path, streams_below);
     return {{.file = path}};
   }
-  if (fs::exists(path / Sequence::kManifest)) return ListSequence(path);
+  if (fs::exists(path / Sequence::kManifest)) return ListSequence(path, streams_below);
   std::vector<ListedImage> images = ListFiles(path);
   if (!images.empty()) return images;
   for (const fs::path& folder : SequencesBelow(path)) {
-    for (ListedImage& image : ListSequence(folder)) images.push_back(std::move(image));
+    for (ListedImage& image : ListSequence(folder, streams_below))
+      images.push_back(std::move(image));
   }
   if (images.empty()) {
     throw Error(

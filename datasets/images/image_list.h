@@ -28,8 +28,10 @@ struct ListedImage {
 //                                      skipped), in ascending order of their names as bytes;
 //   a folder with none, but sequences  the images of the sequences right below it, in the order of
 //                                      their folders.
+// Sequences are read with `streams_below` (ReadSequence).
 // Never empty: an Error names `path` if there is nothing, or if a file of a sequence is missing.
-std::vector<ListedImage> ListImages(const std::filesystem::path& path);
+std::vector<ListedImage> ListImages(const std::filesystem::path& path,
+                                    const std::filesystem::path& streams_below = {});
 
 // The image: of a sequence R, G, B as LoadFrame reads it (its channels, size and range checked as
 // the manifest says); of another file what it stores (ReadImage). Errors as those.

@@ -76,6 +76,34 @@ ImportPreset Fsr() {
   return preset;
 }
 
+// Godot 4: motion in UV from this frame to the one before (velocity buffer), depth reversed from
+// version 4.3 on.
+ImportPreset Godot() {
+  ImportPreset preset;
+  preset.name = "godot";
+  preset.purpose = "buffers of Godot 4.3 and later: velocity in UV, reversed depth";
+  preset.color = {kRgb, {"color", "colour", "image"}};
+  preset.depth = {{{"Z"}, {"R"}, {"Y"}}, kDepthWords};
+  preset.depth_stream.kind = DepthKind::kReversed;
+  preset.motion = {{{"X", "Y"}, {"R", "G"}}, kMotionWords};
+  preset.motion_stream.units = MotionUnits::kUv;
+  preset.motion_stream.direction = MotionDirection::kCurrentToPrevious;
+  return preset;
+}
+
+// Motion in UV from the frame before, y down; depth and jitter as the capture's JSON says.
+ImportPreset Arm() {
+  ImportPreset preset;
+  preset.name = "arm";
+  preset.purpose = "captures of Arm's neural graphics tools";
+  preset.color = {kRgb, {"/color/", "ground_truth/"}};
+  preset.depth = {{{"R"}, {"Z"}, {"Y"}}, {"/depth/"}};
+  preset.motion = {{{"R", "G"}, {"X", "Y"}}, {"/motion/", "motion_gt/"}};
+  preset.motion_stream.units = MotionUnits::kUv;
+  preset.captures = true;
+  return preset;
+}
+
 ImportPreset Flow(std::string_view name, std::string_view purpose,
                   std::vector<std::string> color_words) {
   ImportPreset preset;
@@ -124,7 +152,9 @@ std::span<const ImportPreset> ImportPresets() {
       Blender(),
       Unreal(),
       Unity(),
+      Godot(),
       Fsr(),
+      Arm(),
       Flow("sintel", "MPI Sintel: .flo of forward flow, .dpt depth", {"clean", "final", "albedo"}),
       Kitti(),
       Flow("middlebury", "Middlebury: .flo of forward flow, 1e9 where unknown",

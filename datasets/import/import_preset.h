@@ -25,6 +25,7 @@ struct ImportPreset {
   MotionStream motion_stream;  // paths and channels are found
   DepthStream depth_stream;
   bool two_motion_files = false;  // a file for each of x and y
+  bool captures = false;          // the folder is one of captures (datasets/import/capture.h)
 };
 
 // In a fixed order. docs/IMPORT.md has the sources of each.

@@ -12,6 +12,7 @@
 #include "datasets/error.h"
 #include "datasets/file.h"
 #include "datasets/images/image_io.h"
+#include "datasets/import/capture.h"
 #include "datasets/import/dpt_file.h"
 #include "datasets/import/numbered_files.h"
 #include "datasets/json_fields.h"
@@ -33,7 +34,8 @@ bool EndsWith(const std::string& text, const std::string& end) {
 
 bool IsReference(const std::string& pattern) {
   const std::string first = LowerCase(pattern.substr(0, pattern.find('/')));
-  constexpr std::array kFolders = {"hr", "hr_inputs", "reference", "references", "ref", "gt"};
+  constexpr std::array kFolders = {"hr",  "hr_inputs", "reference",    "references",
+                                   "ref", "gt",        "ground_truth", "motion_gt"};
   return pattern.find('/') != std::string::npos &&
          std::any_of(kFolders.begin(), kFolders.end(),
                      [&](const char* folder) { return first == folder; });
@@ -57,6 +59,11 @@ class Importer {
       throw Error(fmt::format("'{}' has no numbered images; expected frames like 0001.exr",
                               request.folder.string()));
     }
+    if (!preset_.captures) return;
+    const Capture capture = FindCapture(files_, request.capture, request.scale);
+    std::erase_if(files_, [&](const auto& f) { return !IsOfCapture(capture, f.pattern); });
+    const fs::path metadata = request.folder / (capture.name + ".json");
+    capture_ = ReadCaptureMetadata(metadata);
   }
 
   ImportResult Run() {
@@ -74,12 +81,15 @@ class Importer {
       AddDepth(Find(preset_.depth, true), true);
       AddMotion(true);
     }
-    if (sequence_.depth && !request_.far && sequence_.depth->encoding == Encoding::kFloat) {
+    if (sequence_.depth && !request_.far && sequence_.depth->kind == DepthKind::kLinear &&
+        sequence_.depth->encoding == Encoding::kFloat) {
       notes_.push_back(fmt::format("The far plane is {:.6g}, the largest depth that was found.",
                                    sequence_.depth->far));
     }
+    AddMasks();
+    AddCapture();
     Write();
-    return {ReadSequence(request_.folder), std::move(notes_)};
+    return {Manifest(), ReadSequence(Manifest()), std::move(notes_)};
   }
 
  private:
@@ -117,6 +127,30 @@ class Importer {
     return std::nullopt;
   }
 
+  fs::path Manifest() const {
+    if (request_.capture.empty()) return request_.folder / Sequence::kManifest;
+    return request_.folder / fmt::format("sequence-{}.json", request_.capture);
+  }
+
+  // Jitter and cuts of the frames that there are.
+  void AddCapture() {
+    if (!capture_) return;
+    for (int index = 0; index < sequence_.count; ++index) {
+      const int number = sequence_.Number(index);
+      const auto jitter = capture_->jitter.find(number);
+      if (jitter == capture_->jitter.end()) {
+        throw Error(fmt::format("the capture's JSON has no frame {}, which has a colour", number));
+      }
+      sequence_.jitter.push_back(jitter->second);
+      const bool cut = std::binary_search(capture_->cuts.begin(), capture_->cuts.end(), number);
+      if (cut &&
+          std::find(sequence_.cuts.begin(), sequence_.cuts.end(), number) == sequence_.cuts.end()) {
+        sequence_.cuts.push_back(number);
+      }
+    }
+    std::sort(sequence_.cuts.begin(), sequence_.cuts.end());
+  }
+
   // The names to take; empty: all that the file has.
   std::optional<std::vector<std::string>> ChannelsOf(const NumberedFiles& files,
                                                      const StreamNamesOfTool& names) const {
@@ -146,6 +180,61 @@ class Importer {
     return {info.width, info.height};
   }
 
+  // The largest size of a frame; all of them where they differ.
+  GridSize RenderSize(const Found& color) {
+    GridSize largest;
+    bool differ = false;
+    std::vector<GridSize> sizes;
+    for (const int number : color.files.numbers) {
+      const ImageInfo info = ReadImageInfo(
+          request_.folder / FrameFileName(color.files.pattern, number), color.channels);
+      sizes.push_back({info.width, info.height});
+      differ = differ || sizes.back() != sizes.front();
+      largest = {std::max(largest.width, info.width), std::max(largest.height, info.height)};
+    }
+    if (differ) {
+      notes_.push_back(fmt::format("The sizes of frames differ; the largest is {} x {}.",
+                                   largest.width, largest.height));
+      sequence_.render_sizes = std::move(sizes);
+    }
+    return largest;
+  }
+
+  AlphaKind AlphaKindOf(const std::string& pattern) const {
+    return HasExtension(pattern, ".exr") ? AlphaKind::kPremultiplied : AlphaKind::kStraight;
+  }
+
+  // The channel that ends the colour's layer: `A`, or `LAYER.A` beside `LAYER.R`.
+  AlphaStream AlphaOf(const ColorStream& color) const {
+    std::string name = "A";
+    if (!color.channels.empty()) {
+      const std::string& red = color.channels.front();
+      const std::size_t dot = red.rfind('.');
+      if (dot != std::string::npos) name = red.substr(0, dot + 1) + name;
+    }
+    return {color.path, {name}, AlphaKindOf(color.path)};
+  }
+
+  void AddMasks() {
+    if (!request_.reactive.empty()) {
+      sequence_.reactive = MaskStream{request_.reactive, OneChannel(request_.reactive)};
+    }
+    if (!request_.hud.empty()) {
+      sequence_.hud = LayerStream{request_.hud, {}, AlphaKindOf(request_.hud)};
+    }
+    if (!request_.alpha) return;
+    sequence_.alpha = AlphaOf(sequence_.color);
+    if (sequence_.reference) sequence_.reference_alpha = AlphaOf(*sequence_.reference);
+  }
+
+  // The first channel, where a file of the pattern has several.
+  std::vector<std::string> OneChannel(const std::string& pattern) const {
+    if (!IsFramePattern(pattern)) return {};  // refused where the manifest is written
+    const ImageInfo info = ReadImageInfo(request_.folder / FrameFileName(pattern, sequence_.first));
+    return info.channels.size() > 1 ? std::vector{info.channels.front()}
+                                    : std::vector<std::string>();
+  }
+
   void Describe(const Found& color) {
     sequence_.folder = request_.folder;
     sequence_.name = request_.name;
@@ -166,7 +255,7 @@ class Importer {
                       fmt::join(sequence_.cuts, ", ")));
     }
     sequence_.color = {color.files.pattern, color.channels};
-    sequence_.render = sequence_.output = SizeOf(color);
+    sequence_.render = sequence_.output = RenderSize(color);
     sequence_.output.width = static_cast<int>(std::lround(sequence_.render.width * request_.scale));
     sequence_.output.height =
         static_cast<int>(std::lround(sequence_.render.height * request_.scale));
@@ -183,12 +272,25 @@ class Importer {
     DepthStream stream = preset_.depth_stream;
     stream.path = found->files.pattern;
     stream.channels = found->channels;
+    if (capture_) {
+      stream.kind = capture_->reversed_depth ? DepthKind::kReversed : DepthKind::kForward;
+      stream.near = capture_->near;
+      stream.far = capture_->far;
+    }
     if (request_.near) stream.near = *request_.near;
-    if (stream.encoding == Encoding::kFloat) {
+    if (stream.kind != DepthKind::kLinear) {
+      if (!(stream.near > 0)) {
+        throw Error(fmt::format("depth of the preset '{}' is that of a projection; expected --near",
+                                preset_.name));
+      }
+      if (!capture_) stream.far = HUGE_VAL;
+      if (request_.far) stream.far = *request_.far;
+    } else if (stream.encoding == Encoding::kFloat) {
       stream.far = request_.far ? *request_.far : LargestDepth(*found, stream);
     }
     (reference ? sequence_.reference_depth : sequence_.depth) = stream;
-    if (reference && sequence_.depth && stream.encoding == Encoding::kFloat) {
+    if (reference && sequence_.depth && stream.kind == DepthKind::kLinear &&
+        stream.encoding == Encoding::kFloat) {
       // One far plane for both grids: depths of both are compared.
       sequence_.depth->far = sequence_.reference_depth->far =
           std::max(sequence_.depth->far, sequence_.reference_depth->far);
@@ -252,20 +354,21 @@ class Importer {
   }
 
   void Write() {
-    const fs::path manifest = request_.folder / Sequence::kManifest;
+    const fs::path manifest = Manifest();
     if (fs::exists(manifest) && !request_.replace) {
       throw Error(fmt::format("'{}' is there already; expected a folder without one, or --replace",
                               manifest.string()));
     }
     auto json = nlohmann::ordered_json::parse(SequenceJson(sequence_));
-    if (!request_.cameras.empty()) {
-      const nlohmann::json extra = ReadJson(request_.cameras, kMaxManifestBytes);
-      JsonFields fields(extra, JsonPlace(request_.cameras.string(), ""));
-      for (const char* field : {"jitter", "camera"}) {
+    if (!request_.fields.empty()) {
+      const nlohmann::json extra = ReadJson(request_.fields, kMaxManifestBytes);
+      JsonFields fields(extra, JsonPlace(request_.fields.string(), ""));
+      for (const char* field : kImportFields) {
         if (fields.Has(field))
           json[field] = nlohmann::ordered_json::parse(fields.Take(field).dump());
       }
       fields.Finish();
+      if (json.contains("exposures")) json["version"] = 2;
     }
     const std::string before = fs::exists(manifest) ? ReadFile(manifest) : "";
     WriteFile(manifest, JsonText(json, 1) + "\n");
@@ -285,6 +388,7 @@ class Importer {
   const ImportRequest& request_;
   const ImportPreset& preset_;
   std::vector<NumberedFiles> files_;
+  std::optional<CaptureMetadata> capture_;  // of the preset arm
   Sequence sequence_;
   std::vector<std::string> notes_;
 };

@@ -31,6 +31,8 @@ constexpr std::pair<Streams, const char*> kStreamNames[] = {
     {Streams::kReferenceMotion, "reference_motion"},
     {Streams::kReactive, "reactive"},
     {Streams::kHud, "hud"},
+    {Streams::kAlpha, "alpha"},
+    {Streams::kReferenceAlpha, "reference_alpha"},
 };
 
 // 8 bits of a colour outside [0, 1] are rounding; more is another colour space.
@@ -51,7 +53,9 @@ class FrameReader {
     return color;
   }
 
-  Image Mask(const MaskStream& stream, GridSize grid) const {
+  // A MaskStream or an AlphaStream.
+  template <class Stream>
+  Image Mask(const Stream& stream, GridSize grid) const {
     const fs::path path = PathOf(stream.path);
     Check(path, grid, stream.channels, 1, Encoding::kFloat);
     Image mask = ReadImage(path, stream.channels);
@@ -182,6 +186,14 @@ class FrameReader {
   int number_;
 };
 
+// Straight colour becomes premultiplied.
+void Premultiply(const AlphaStream& stream, const Image& alpha, Image* color) {
+  if (stream.color == AlphaKind::kPremultiplied || color->empty()) return;
+  for (std::size_t i = 0; i < alpha.data.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) color->data[3 * i + c] *= alpha.data[i];
+  }
+}
+
 void DivideOut(double exposure, Image* image) {
   if (exposure == 1) return;
   const auto factor = static_cast<float>(1 / exposure);
@@ -282,6 +294,8 @@ Streams AvailableStreams(const Sequence& s) {
   if (s.reference_motion) set = set | Streams::kReferenceMotion;
   if (s.reactive) set = set | Streams::kReactive;
   if (s.hud) set = set | Streams::kHud;
+  if (s.alpha) set = set | Streams::kAlpha;
+  if (s.reference_alpha) set = set | Streams::kReferenceAlpha;
   return set;
 }
 
@@ -316,6 +330,8 @@ std::vector<fs::path> FrameFiles(const Sequence& s, int index, Streams which) {
   add_motion(Streams::kReferenceMotion, s.reference_motion);
   add_stream(Streams::kReactive, s.reactive);
   add_stream(Streams::kHud, s.hud);
+  add_stream(Streams::kAlpha, s.alpha);
+  add_stream(Streams::kReferenceAlpha, s.reference_alpha);
   return files;
 }
 
@@ -350,6 +366,14 @@ Frame LoadFrame(const Sequence& s, int index, Streams which) {
   }
   if (wants(Streams::kReactive)) frame.reactive = reader.Mask(*s.reactive, render);
   if (wants(Streams::kHud)) frame.hud = reader.Layer(*s.hud, s.output);
+  if (wants(Streams::kAlpha)) {
+    frame.alpha = reader.Mask(*s.alpha, render);
+    Premultiply(*s.alpha, frame.alpha, &frame.color);
+  }
+  if (wants(Streams::kReferenceAlpha)) {
+    frame.reference_alpha = reader.Mask(*s.reference_alpha, s.output);
+    Premultiply(*s.reference_alpha, frame.reference_alpha, &frame.reference);
+  }
   for (Image* image : {&frame.color, &frame.reference}) DivideOut(s.Exposure(index), image);
   return frame;
 }

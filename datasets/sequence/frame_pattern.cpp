@@ -30,8 +30,10 @@ std::optional<Conversion> ConversionAt(std::string_view pattern, std::size_t beg
   return c;
 }
 
-bool StaysBelow(std::string_view path) {
+// ".." stands at the beginning alone: behind a link it would not lead back.
+bool StaysBelow(std::string_view path, int levels_up) {
   if (path.empty() || path.front() == '/') return false;
+  for (; levels_up > 0 && path.starts_with("../"); --levels_up) path.remove_prefix(3);
   while (true) {
     const std::size_t slash = path.find('/');
     const std::string_view part = path.substr(0, slash);
@@ -63,7 +65,7 @@ bool Parse(std::string_view pattern, const Text& text, const Number& conversion)
 
 }  // namespace
 
-bool IsFramePattern(std::string_view pattern, std::string* why) {
+bool IsFramePattern(std::string_view pattern, std::string* why, int levels_up) {
   const auto no = [&](std::string reason) {
     if (why) *why = std::move(reason);
     return false;
@@ -73,10 +75,14 @@ bool IsFramePattern(std::string_view pattern, std::string* why) {
       })) {
     return no("has a backslash or a control character; expected '/' between folders");
   }
-  if (!StaysBelow(pattern)) {
+  if (!StaysBelow(pattern, levels_up)) {
     return no(
-        "is absolute or has an empty, '.' or '..' part; expected a path below the manifest's "
-        "folder");
+        levels_up == 0
+            ? "is absolute or has an empty, '.' or '..' part; expected a path below the manifest's "
+              "folder, or the option --streams-below"
+            : fmt::format("is absolute or has an empty, '.' or '..' part; expected a path with at "
+                          "most {} '..', all at its beginning",
+                          levels_up));
   }
   int conversions = 0;
   if (!Parse(

@@ -33,6 +33,7 @@ struct Sequence {
   static constexpr double kMaxExposure = 1 << 20;  // and its inverse is the least
 
   std::filesystem::path folder;  // what the streams' paths are relative to; not stored
+  int levels_up = 0;             // how many ".." they may begin with; not stored
   std::string name;              // not empty, no '/' and no control characters
   int first = 0;                 // number of frame index 0
   int count = 0;
@@ -54,6 +55,8 @@ struct Sequence {
   std::optional<MotionStream> reference_motion;
   std::optional<MaskStream> reactive;  // render grid
   std::optional<LayerStream> hud;      // output grid
+  std::optional<AlphaStream> alpha;    // of color
+  std::optional<AlphaStream> reference_alpha;
 
   std::vector<Vec2> jitter;    // of frame index i: [i % size], render pixels, y down; empty: none
   std::vector<Camera> camera;  // one for each frame, or empty
@@ -91,8 +94,10 @@ std::vector<std::filesystem::path> FrameFiles(const Sequence& sequence, int inde
 
 // Reads `path`, a manifest or the folder of a sequence.json, and checks all of it. The files of the
 // streams are not opened. An Error names the manifest, the field, what was found and what was
-// expected; unknown and repeated fields are refused.
-Sequence ReadSequence(const std::filesystem::path& path);
+// expected; unknown and repeated fields are refused. Streams lie below the manifest's folder, or,
+// if `streams_below` is given, below that folder, in which the manifest must lie.
+Sequence ReadSequence(const std::filesystem::path& path,
+                      const std::filesystem::path& streams_below = {});
 
 // The folders right below `folder` that have a sequence.json, in ascending order of their names as
 // bytes.
@@ -108,10 +113,10 @@ std::string SequenceJson(const Sequence& sequence);
 //
 // Reads the streams `which` of the frame at `index` (0 to count - 1), converted to the convention
 // of datasets/frame.h as datasets/encoding.h describes; only their files are opened. Grey colour is
-// copied to R, G and B; alpha is dropped. Colours are brought to
-// the exposure of the first frame. Number, cut, jitter and camera are always set. Frame 0 is
-// a cut only where the manifest says so; what runs over frames takes it as one
-// (train/replay/clip.h).
+// copied to R, G and B; a fourth channel is dropped. Straight colour is multiplied by its alpha
+// where the alpha is read too. Colours are brought to the exposure of the first frame. Number, cut,
+// jitter and camera are always set. Frame 0 is a cut only where the manifest says so; what runs
+// over frames takes it as one (train/replay/clip.h).
 //
 // Error, naming the file or the stream and the sequence: index out of range, a stream that the
 // manifest lacks, a missing or damaged file, a file of another size or with other channels, a NaN,

@@ -102,9 +102,28 @@ void CheckExposures(const Sequence& s) {
   }
 }
 
-void CheckPattern(const std::string& pattern, const std::string& field) {
-  std::string why;
-  if (!IsFramePattern(pattern, &why)) Refuse(field, fmt::format("(\"{}\") {}", pattern, why));
+// The patterns of every stream.
+void CheckPaths(const Sequence& s) {
+  const auto check = [&s](const std::string& pattern, const std::string& field) {
+    std::string why;
+    if (IsFramePattern(pattern, &why, s.levels_up)) return;
+    Refuse("streams." + field, fmt::format("(\"{}\") {}", pattern, why));
+  };
+  const auto check_motion = [&check](const MotionStream& m, const std::string& stream) {
+    if (m.path_x.empty() && m.path_y.empty()) return check(m.path, stream + ".path");
+    check(m.path_x, stream + ".path_x");
+    check(m.path_y, stream + ".path_y");
+  };
+  check(s.color.path, "color.path");
+  if (s.depth) check(s.depth->path, "depth.path");
+  if (s.motion) check_motion(*s.motion, "motion");
+  if (s.reference) check(s.reference->path, "reference.path");
+  if (s.reference_depth) check(s.reference_depth->path, "reference_depth.path");
+  if (s.reference_motion) check_motion(*s.reference_motion, "reference_motion");
+  if (s.reactive) check(s.reactive->path, "reactive.path");
+  if (s.hud) check(s.hud->path, "hud.path");
+  if (s.alpha) check(s.alpha->path, "alpha.path");
+  if (s.reference_alpha) check(s.reference_alpha->path, "reference_alpha.path");
 }
 
 void CheckChannels(const std::vector<std::string>& channels, std::size_t expected,
@@ -123,22 +142,33 @@ void CheckScale(double scale, double bias, const std::string& stream) {
 }
 
 void CheckColor(const ColorStream& c, const std::string& stream) {
-  CheckPattern(c.path, stream + ".path");
   CheckChannels(c.channels, c.channels.size() == 1 ? 1 : 3, stream + ".channels");
 }
 
-void CheckMask(const MaskStream& m, const std::string& stream) {
-  CheckPattern(m.path, stream + ".path");
+// The stream has one channel.
+template <class Stream>
+void CheckMask(const Stream& m, const std::string& stream) {
   CheckChannels(m.channels, 1, stream + ".channels");
 }
 
+void CheckAlpha(const Sequence& s) {
+  if (s.alpha) CheckMask(*s.alpha, "streams.alpha");
+  if (s.reference_alpha) {
+    CheckMask(*s.reference_alpha, "streams.reference_alpha");
+    if (!s.reference) Refuse("streams.reference_alpha", "is there; expected it with a reference");
+  }
+  if (s.hud && (s.alpha || s.reference_alpha)) {
+    Refuse("streams.hud",
+           "is there beside an alpha; expected one of them, as a frame with alpha "
+           "is a layer itself");
+  }
+}
+
 void CheckLayer(const LayerStream& l, const std::string& stream) {
-  CheckPattern(l.path, stream + ".path");
   CheckChannels(l.channels, 4, stream + ".channels");
 }
 
 void CheckDepth(const DepthStream& d, const std::string& stream) {
-  CheckPattern(d.path, stream + ".path");
   CheckChannels(d.channels, d.encoding == Encoding::kFloat ? 1 : 4, stream + ".channels");
   CheckScale(d.scale, d.bias, stream);
   if (d.kind == DepthKind::kLinear) {
@@ -178,15 +208,9 @@ void CheckMotion(const MotionStream& m, const std::string& stream) {
   if (two && !m.path.empty()) {
     Refuse(stream + ".path", "is there beside path_x or path_y; expected one path or these two");
   }
-  if (two) {
-    CheckPattern(m.path_x, stream + ".path_x");
-    CheckPattern(m.path_y, stream + ".path_y");
-  } else {
-    CheckPattern(m.path, stream + ".path");
-    if (m.encoding == Encoding::kRgba8Base255) {
-      Refuse(stream + ".path",
-             "is one file of packed values, which hold one component; expected path_x and path_y");
-    }
+  if (!two && m.encoding == Encoding::kRgba8Base255) {
+    Refuse(stream + ".path",
+           "is one file of packed values, which hold one component; expected path_x and path_y");
   }
   CheckChannels(m.channels, m.encoding == Encoding::kFloat ? 2 : 4, stream + ".channels");
   for (std::size_t c = 0; c < 2; ++c) CheckScale(m.scale[c], m.bias[c], stream);
@@ -249,6 +273,7 @@ void CheckSequence(const Sequence& s) {
         "frame numbers below 2^31");
   CheckNumbers(s);
   CheckGrids(s);
+  CheckPaths(s);
   CheckColor(s.color, "streams.color");
   if (s.depth) CheckDepth(*s.depth, "streams.depth");
   if (s.motion) CheckMotion(*s.motion, "streams.motion");
@@ -263,6 +288,7 @@ void CheckSequence(const Sequence& s) {
   }
   if (s.reactive) CheckMask(*s.reactive, "streams.reactive");
   if (s.hud) CheckLayer(*s.hud, "streams.hud");
+  CheckAlpha(s);
   CheckRenderSizes(s);
   CheckExposures(s);
   CheckJitter(s.jitter);
@@ -277,9 +303,10 @@ bool Sequence::UsesVersion2() const {
     return m && (m->direction == MotionDirection::kCurrentToNext || m->frame_offset != 0 ||
                  m->contains_jitter);
   };
-  return !numbers.empty() || reactive || hud || !render_sizes.empty() || !exposures.empty() ||
-         (depth && depth->background) || (reference_depth && reference_depth->background) ||
-         stored_apart(motion) || stored_apart(reference_motion);
+  return !numbers.empty() || reactive || hud || alpha || reference_alpha || !render_sizes.empty() ||
+         !exposures.empty() || (depth && depth->background) ||
+         (reference_depth && reference_depth->background) || stored_apart(motion) ||
+         stored_apart(reference_motion);
 }
 
 bool Sequence::IsValid(std::string* why) const {

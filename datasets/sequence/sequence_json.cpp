@@ -73,6 +73,13 @@ MaskStream TakeMask(JsonFields fields) {
   return stream;
 }
 
+AlphaStream TakeAlpha(JsonFields fields, const char* grid) {
+  auto stream = TakeImage<AlphaStream>(fields, grid);
+  stream.color = fields.OneOf("color", kAlphaKinds);
+  fields.Finish();
+  return stream;
+}
+
 LayerStream TakeLayer(JsonFields fields) {
   auto stream = TakeImage<LayerStream>(fields, kOutputGridName);
   stream.alpha = fields.OneOf("alpha", kAlphaKinds);
@@ -157,6 +164,10 @@ void TakeStreams(JsonFields fields, Sequence* s) {
   }
   if (fields.Has("reactive")) s->reactive = TakeMask(fields.Object("reactive"));
   if (fields.Has("hud")) s->hud = TakeLayer(fields.Object("hud"));
+  if (fields.Has("alpha")) s->alpha = TakeAlpha(fields.Object("alpha"), kRenderGridName);
+  if (fields.Has("reference_alpha")) {
+    s->reference_alpha = TakeAlpha(fields.Object("reference_alpha"), kOutputGridName);
+  }
   fields.Finish();
 }
 
@@ -261,9 +272,26 @@ void RequireManifest(const std::filesystem::path& folder, const std::filesystem:
                           folder.string(), Sequence::kManifest, names));
 }
 
+// How many folders `folder` lies below `above`, 0 if they are the same. Links are followed.
+int LevelsBelow(const std::filesystem::path& folder, const std::filesystem::path& above) {
+  std::error_code error;
+  const auto inner = std::filesystem::canonical(folder.empty() ? "." : folder, error);
+  const auto outer = error ? inner : std::filesystem::canonical(above, error);
+  if (error || !std::filesystem::is_directory(outer)) {
+    throw Error(fmt::format("'{}' is no folder that streams can lie below", above.string()));
+  }
+  const auto [end, rest] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  if (end != outer.end()) {
+    throw Error(fmt::format("'{}' does not lie below '{}', the folder of the streams",
+                            folder.string(), above.string()));
+  }
+  return static_cast<int>(std::distance(rest, inner.end()));
+}
+
 }  // namespace
 
-Sequence ReadSequence(const std::filesystem::path& path) {
+Sequence ReadSequence(const std::filesystem::path& path,
+                      const std::filesystem::path& streams_below) {
   const auto manifest = std::filesystem::is_directory(path) ? path / Sequence::kManifest : path;
   if (manifest != path) RequireManifest(path, manifest);
   const std::string file = manifest.string();
@@ -275,6 +303,7 @@ Sequence ReadSequence(const std::filesystem::path& path) {
   if (version != 1 && version != 2) root.At("version").Refuse(version, "1 or 2");
   Sequence s;
   s.folder = manifest.parent_path();
+  if (!streams_below.empty()) s.levels_up = LevelsBelow(s.folder, streams_below);
   s.name = root.Text("name");
   TakeNumbers(root.Object("frames"), &s);
   s.render = TakeGrid(root, "render");

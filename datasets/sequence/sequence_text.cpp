@@ -36,6 +36,12 @@ Json ToJson(const MaskStream& s) {
   return Channels(s.channels, {{"path", s.path}, {"grid", kRenderGridName}});
 }
 
+Json ToJson(const AlphaStream& s, const char* grid) {
+  Json json = Channels(s.channels, {{"path", s.path}, {"grid", grid}});
+  json["color"] = NameOf(kAlphaKinds, s.color);
+  return json;
+}
+
 Json ToJson(const LayerStream& s) {
   Json json = Channels(s.channels, {{"path", s.path}, {"grid", kOutputGridName}});
   json["alpha"] = NameOf(kAlphaKinds, s.alpha);
@@ -92,6 +98,8 @@ Json StreamsJson(const Sequence& s) {
     streams["reference_motion"] = ToJson(*s.reference_motion, kOutputGridName);
   if (s.reactive) streams["reactive"] = ToJson(*s.reactive);
   if (s.hud) streams["hud"] = ToJson(*s.hud);
+  if (s.alpha) streams["alpha"] = ToJson(*s.alpha, kRenderGridName);
+  if (s.reference_alpha) streams["reference_alpha"] = ToJson(*s.reference_alpha, kOutputGridName);
   return streams;
 }
 

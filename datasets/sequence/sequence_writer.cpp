@@ -45,6 +45,9 @@ std::vector<Target> Targets(const Sequence& s) {
   if (s.reference_motion) motion(*s.reference_motion);
   if (s.reactive) targets.push_back({s.reactive->path, s.reactive->channels, {".png", ".exr"}});
   if (s.hud) targets.push_back({s.hud->path, s.hud->channels, {".png", ".exr"}});
+  for (const auto& alpha : {s.alpha, s.reference_alpha}) {
+    if (alpha) targets.push_back({alpha->path, alpha->channels, {".png", ".exr"}});
+  }
   return targets;
 }
 
@@ -56,6 +59,11 @@ void CheckTargets(const Sequence& s) {
   for (const auto* color : {&s.color, s.reference ? &*s.reference : nullptr}) {
     if (color && color->channels.size() == 1)
       fail(color->path, "has one named channel; expected three");
+  }
+  for (const auto& alpha : {s.alpha, s.reference_alpha}) {
+    if (alpha && alpha->color == AlphaKind::kStraight) {
+      fail(alpha->path, "has straight colour; expected premultiplied colour, as frames hold it");
+    }
   }
   for (const auto* motion :
        {s.motion ? &*s.motion : nullptr, s.reference_motion ? &*s.reference_motion : nullptr}) {
@@ -104,7 +112,9 @@ class FrameWriter {
                stream.channels);
   }
 
-  void Mask(const MaskStream& stream, const Image& image, GridSize grid, const char* name) const {
+  // A MaskStream or an AlphaStream.
+  template <class Stream>
+  void Mask(const Stream& stream, const Image& image, GridSize grid, const char* name) const {
     Check(image, grid, 1, name);
     WriteMask(PathOf(stream.path), image, stream.channels);
   }
@@ -227,6 +237,11 @@ Sequence StandardSequence(const std::string& name, int first, int count, GridSiz
   if (Contains(streams, Streams::kHud)) {
     s.hud = LayerStream{fmt::format("hr/hud/%04d{}", color_type), {}, AlphaKind::kPremultiplied};
   }
+  const auto alpha = [](const char* grid) {
+    return AlphaStream{fmt::format("{}/alpha/%04d.png", grid), {}, AlphaKind::kPremultiplied};
+  };
+  if (Contains(streams, Streams::kAlpha)) s.alpha = alpha("lr");
+  if (Contains(streams, Streams::kReferenceAlpha)) s.reference_alpha = alpha("hr");
   return s;
 }
 
@@ -286,6 +301,10 @@ void SequenceWriter::Write(int index, const Frame& frame) const {
     writer.Motion(*s.reference_motion, frame.reference_motion, s.output, "reference_motion");
   if (s.reactive) writer.Mask(*s.reactive, frame.reactive, render, "reactive");
   if (s.hud) writer.Layer(*s.hud, frame.hud, s.output, "hud");
+  if (s.alpha) writer.Mask(*s.alpha, frame.alpha, render, "alpha");
+  if (s.reference_alpha) {
+    writer.Mask(*s.reference_alpha, frame.reference_alpha, s.output, "reference_alpha");
+  }
 }
 
 void SequenceWriter::Finish() const {

@@ -9,10 +9,10 @@
 namespace warplut {
 
 // A Sequence with the usual layout: lr/color/%04d.png, lr/depth/%04d.exr (Z), lr/motion/%04d.exr
-// (X, Y) and hr/ alike for the references; lr/reactive/%04d.png, hr/hud/%04d.png (premultiplied);
-// colour and HUD in .exr where linear. Linear depth from near to
-// far, motion in pixels from previous to current, y down. `streams` always includes color. Jitter,
-// camera and cuts are left empty.
+// (X, Y) and hr/ alike for the references; lr/reactive/%04d.png, hr/hud/%04d.png (premultiplied),
+// lr/alpha/%04d.png and hr/alpha/%04d.png; colour and HUD in .exr where linear. Linear depth from
+// near to far, motion in pixels from previous to current, y down. `streams` always includes color.
+// Jitter, camera and cuts are left empty.
 Sequence StandardSequence(const std::string& name, int first, int count, GridSize render,
                           GridSize output, ColorSpace color_space, Streams streams, double near,
                           double far);

@@ -10,7 +10,7 @@
 namespace warplut {
 
 // Streams of a frame, as a set of flags.
-enum class Streams : std::uint8_t {
+enum class Streams : std::uint16_t {
   kNone = 0,
   kColor = 1,
   kDepth = 2,
@@ -20,16 +20,18 @@ enum class Streams : std::uint8_t {
   kReferenceMotion = 32,
   kReactive = 64,
   kHud = 128,
+  kAlpha = 256,
+  kReferenceAlpha = 512,
   kRenderGrid = kColor | kDepth | kMotion,
   kOutputGrid = kReference | kReferenceDepth | kReferenceMotion,
   kAll = kRenderGrid | kOutputGrid,  // of a scene; masks and layers are asked for by themselves
 };
 
 constexpr Streams operator|(Streams a, Streams b) {
-  return static_cast<Streams>(static_cast<std::uint8_t>(a) | static_cast<std::uint8_t>(b));
+  return static_cast<Streams>(static_cast<std::uint16_t>(a) | static_cast<std::uint16_t>(b));
 }
 constexpr Streams operator&(Streams a, Streams b) {
-  return static_cast<Streams>(static_cast<std::uint8_t>(a) & static_cast<std::uint8_t>(b));
+  return static_cast<Streams>(static_cast<std::uint16_t>(a) & static_cast<std::uint16_t>(b));
 }
 constexpr bool Contains(Streams set, Streams streams) { return (set & streams) == streams; }
 
@@ -68,6 +70,13 @@ struct MaskStream {
 
 // Whether the colours of a layer are stored as they are or times its alpha.
 enum class AlphaKind : std::uint8_t { kStraight, kPremultiplied };
+
+// How much of each pixel the colour covers, and how that colour is stored.
+struct AlphaStream {
+  std::string path;
+  std::vector<std::string> channels;  // 1 name
+  AlphaKind color = AlphaKind::kPremultiplied;
+};
 
 // R, G, B and alpha of what is drawn over a frame.
 struct LayerStream {

@@ -25,5 +25,16 @@ TEST(FramePattern, TakesOneConversionBelowTheFolder) {
   }
 }
 
+TEST(FramePattern, MayBeginWithAsManyLevelsUpAsAllowed) {
+  for (const char* good : {"../%d", "../../a/%d", "a/%d"}) {
+    EXPECT_TRUE(IsFramePattern(good, nullptr, 2)) << good;
+  }
+  for (const char* bad : {"../../../%d", "a/../%d", "../a/../%d", "/../%d", ".././%d", "..//%d"}) {
+    std::string why;
+    EXPECT_FALSE(IsFramePattern(bad, &why, 2)) << bad;
+    EXPECT_NE(why.find("at most 2 '..'"), std::string::npos) << why;
+  }
+}
+
 }  // namespace
 }  // namespace warplut

@@ -1,5 +1,6 @@
 // Each preset reads a small file in its format to known values.
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -234,7 +235,110 @@ TEST(Import, RefusesWhatItCannotUse) {
   ExpectError([&] { Import(folder, "fsr"); }, {"is there already"});
 }
 
-TEST(Import, TakesCamerasAndJitterFromAFile) {
+TEST(Import, GodotsVelocityAndReversedDepth) {
+  const TemporaryFolder folder;
+  for (const char* number : {"0001", "0002"}) {
+    const auto file = [&](const char* kind) {
+      return folder / fmt::format("{}/{}.exr", kind, number);
+    };
+    WriteConstant(file("color"), {0.5, 0.5, 0.5}, PixelType::kHalf);
+    WriteConstant(file("depth"), {0.5}, PixelType::kFloat, {"R"});
+    WriteConstant(file("velocity"), {0.125, -0.25}, PixelType::kFloat, {"R", "G"});
+  }
+  ImportRequest request;
+  request.folder = folder.path();
+  request.preset = "godot";
+  ExpectError([&] { ImportSequence(request); }, {"godot", "--near"});
+  request.near = 0.1;
+  const Sequence s = ImportSequence(request).sequence;
+  ExpectMotion(s, 1, -0.125F * kWidth, 0.25F * kHeight);
+  EXPECT_NEAR(LoadFrame(s, 1, Streams::kDepth).depth.at(0, 0), 2, 1e-5);  // near planes
+}
+
+// Two captures at two ratios.
+void WriteCaptures(const TemporaryFolder& folder) {
+  for (const char* name : {"0000", "0001"}) {
+    std::string frames;
+    for (int i = 0; i < 3; ++i) {
+      const auto write = [&](const char* kind, const std::vector<float>& values,
+                             const std::vector<std::string>& names) {
+        WriteConstant(folder / fmt::format("{}/{}/{:04}.exr", kind, name, i), values,
+                      PixelType::kFloat, names);
+      };
+      for (const char* ratio : {"x1_5", "x2"}) {
+        const auto input = [&](const char* kind) { return fmt::format("{}/{}", ratio, kind); };
+        write(input("color").c_str(), {0.5, 0.25, 0.125}, {"R", "G", "B"});
+        write(input("depth").c_str(), {0.5}, {"R"});
+        write(input("motion").c_str(), {0.125, 0.25}, {"R", "G"});
+      }
+      write("ground_truth", {0.25, 0.5, 1}, {"R", "G", "B"});
+      write("motion_gt", {0.125, 0.25}, {"R", "G"});
+      frames += fmt::format(R"({}{{"FrameNumber": {}, "Jitter": {{"X": 0.25, "Y": {}}},
+          "CameraNearPlane": 0.1, "CameraFarPlane": -1.0, "CameraCut": {}, "Exposure": 1}})",
+                            i > 0 ? ", " : "", i, -0.125 * i, i == 2);
+    }
+    WriteFile(folder / (name + std::string(".json")),
+              R"({"Version": "1.0.1", "ReverseZ": true, "Frames": [)" + frames + "]}");
+  }
+}
+
+TEST(Import, ArmsCapturesByNameAndScale) {
+  const TemporaryFolder folder;
+  WriteCaptures(folder);
+  ImportRequest request;
+  request.folder = folder.path();
+  request.preset = "arm";
+  ExpectError([&] { ImportSequence(request); }, {"0000 at x2", "0001 at x1_5", "--capture"});
+  request.capture = "0001";
+  ExpectError([&] { ImportSequence(request); }, {"2 captures", "--scale"});
+  request.scale = 2;
+  const ImportResult result = ImportSequence(request);
+  const Sequence& s = result.sequence;
+  EXPECT_EQ(result.manifest, folder / "sequence-0001.json");
+  EXPECT_EQ(s.color.path, "x2/color/0001/%04d.exr");
+  EXPECT_EQ(s.reference->path, "ground_truth/0001/%04d.exr");
+  EXPECT_EQ(s.reference_motion->path, "motion_gt/0001/%04d.exr");
+  EXPECT_EQ(s.cuts, std::vector{2});
+  ASSERT_EQ(s.jitter.size(), 3U);
+  EXPECT_EQ(s.jitter[1].y, -0.125);
+  ExpectMotion(s, 1, 0.125F * kWidth, 0.25F * kHeight);
+  EXPECT_NEAR(LoadFrame(s, 1, Streams::kDepth).depth.at(0, 0), 2, 1e-5);
+
+  WriteFile(folder / "0001.json", R"({"ReverseZ": true, "Frames": []})");
+  request.replace = true;
+  ExpectError([&] { ImportSequence(request); }, {"0001.json", "Frames", "no values"});
+  WriteFile(folder / "0001.json", R"({"ReverseZ": 1, "Frames": []})");
+  ExpectError([&] { ImportSequence(request); }, {"ReverseZ", "true or false"});
+}
+
+TEST(Import, TakesMasksAlphaAndSizes) {
+  const TemporaryFolder folder;
+  for (const char* number : {"0001", "0002"}) {
+    WriteConstant(folder / fmt::format("color/{}.png", number), {0.5, 0.5, 0.5, 0.25},
+                  PixelType::kUint8);
+    WriteConstant(folder / fmt::format("mask/{}.png", number), {1, 0, 0}, PixelType::kUint8);
+  }
+  WriteImage(folder / "color/0002.png", Image(kWidth / 2, kHeight / 2, 4), PixelType::kUint8);
+  ImportRequest request;
+  request.folder = folder.path();
+  request.preset = "fsr";
+  request.reactive = "mask/%04d.png";
+  request.alpha = true;
+  const Sequence s = ImportSequence(request).sequence;
+  EXPECT_EQ(s.render_sizes, (std::vector<GridSize>{{kWidth, kHeight}, {kWidth / 2, kHeight / 2}}));
+  EXPECT_EQ(s.alpha->color, AlphaKind::kStraight);
+  const Frame frame = LoadFrame(s, 0, Streams::kColor | Streams::kAlpha | Streams::kReactive);
+  EXPECT_NEAR(frame.alpha.at(1, 1), 0.25, 0.003);
+  EXPECT_NEAR(frame.color.at(1, 1), 0.125, 0.003);
+  EXPECT_EQ(frame.reactive.at(1, 1), 1);
+  request.replace = true;
+  request.reactive = "../%04d.png";
+  ExpectError([&] { ImportSequence(request); }, {"reactive.path", ".."});
+  request.reactive = "none/%04d.png";
+  ExpectError([&] { ImportSequence(request); }, {"none/0001.png"});
+}
+
+TEST(Import, TakesFieldsFromAFile) {
   const TemporaryFolder folder;
   WriteConstant(folder / "color/0001.exr", {1, 2, 3}, PixelType::kHalf);
   WriteFile(folder / "side.json",
@@ -242,7 +346,7 @@ TEST(Import, TakesCamerasAndJitterFromAFile) {
   ImportRequest request;
   request.folder = folder.path();
   request.preset = "fsr";
-  request.cameras = folder / "side.json";
+  request.fields = folder / "side.json";
   const Sequence s = ImportSequence(request).sequence;
   ASSERT_EQ(s.jitter.size(), 1U);
   EXPECT_EQ(s.jitter[0].y, -0.5);

@@ -87,6 +87,48 @@ TEST_F(MaskStream, StraightAlphaBecomesPremultiplied) {
   EXPECT_EQ(again.data, hud.data);
 }
 
+TEST_F(MaskStream, AlphaMultipliesStraightColourWhereBothAreRead) {
+  Write({.frames = 1, .streams = Streams::kAll});
+  const auto with = [&](const std::string& alpha) {
+    std::string text = ReadFile(folder_ / "pan" / Sequence::kManifest);
+    const std::string version = "\"version\": 1", color = "\"color\": {";
+    text.replace(text.find(version), version.size(), "\"version\": 2");
+    WriteFile(folder_ / "pan" / "other.json", text.insert(text.find(color), alpha));
+    return ReadSequence(folder_ / "pan" / "other.json");
+  };
+  const std::string stream =
+      R"("alpha": {"path": "lr/both/%04d.png", "grid": "render", "channels": ["A"], )"
+      R"("color": "straight"}, )";
+  const Sequence s = with(stream);
+  EXPECT_TRUE(s.UsesVersion2());
+  WriteFile(folder_ / "pan" / "again.json", SequenceJson(s));
+  const Sequence again = ReadSequence(folder_ / "pan" / "again.json");
+  EXPECT_EQ(again.alpha->channels, std::vector<std::string>{"A"});
+  EXPECT_EQ(again.alpha->color, AlphaKind::kStraight);
+  std::filesystem::create_directories(folder_ / "pan" / "lr/both");
+  Image stored(40, 32, 4);
+  for (std::size_t i = 0; i < stored.data.size(); ++i) stored.data[i] = i % 4 == 3 ? 0.6F : 0.4F;
+  WriteImage(FrameFiles(s, 0, Streams::kAlpha).front(), stored, PixelType::kUint8);
+  const Frame plain = LoadFrame(s, 0, Streams::kColor);
+  const Frame both = LoadFrame(s, 0, Streams::kColor | Streams::kAlpha);
+  EXPECT_TRUE(plain.alpha.empty());
+  EXPECT_EQ(both.alpha.channels, 1);
+  EXPECT_NEAR(both.alpha.at(3, 4), 0.6, 1e-6);
+  EXPECT_NEAR(both.color.at(3, 4, 1), 0.6 * plain.color.at(3, 4, 1), 1e-6);
+
+  ExpectError([&] { with(R"("reference_alpha": {"path": "%d.png", "grid": "output"}, )"); },
+              {"reference_alpha", "color"});
+  ExpectError(
+      [&] { with(R"("alpha": {"path": "%d.png", "grid": "output", "color": "straight"}, )"); },
+      {"alpha.grid", "render"});
+  ExpectError(
+      [&] {
+        with(stream + R"("hud": {"path": "%d.png", "grid": "output", "alpha": "straight"}, )");
+      },
+      {"streams.hud", "beside an alpha"});
+  ExpectError([&] { SequenceWriter(folder_ / "other", s); }, {"lr/both", "straight"});
+}
+
 TEST_F(MaskStream, BadFilesAreRefusedInOneSentence) {
   const Sequence s = Write();
   const auto mask = FrameFiles(s, 0, Streams::kReactive).front();

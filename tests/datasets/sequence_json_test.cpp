@@ -148,6 +148,29 @@ TEST_F(ReadSequenceTest, OptionalPartsMayBeAbsent) {
   EXPECT_TRUE(s.jitter.empty() && s.camera.empty() && s.cuts.empty());
 }
 
+TEST_F(ReadSequenceTest, StreamsMayLieBelowAFolderThatTheCallerNames) {
+  namespace fs = std::filesystem;
+  const fs::path inner = folder_ / "shots/one";
+  fs::create_directories(inner);
+  fs::create_directories(folder_ / "other");
+  const auto read = [&](const char* path, const fs::path& streams_below) {
+    json manifest = json::parse(kManifest);
+    manifest["streams"]["reference"]["path"] = path;
+    std::ofstream(inner / Sequence::kManifest) << manifest.dump();
+    return ReadSequence(inner, streams_below);
+  };
+  const Sequence s = read("../../shared/%04d.png", folder_.path());
+  EXPECT_EQ(FrameFiles(s, 0, Streams::kReference).front(), inner / "../../shared/0010.png");
+  EXPECT_EQ(SequenceJson(s), SequenceJson(read("../../shared/%04d.png", folder_ / "other/..")));
+  EXPECT_NO_THROW(read("../shared/%04d.png", folder_ / "shots"));
+  ExpectError([&] { read("../shared/%04d.png", {}); }, {"reference.path", "--streams-below"});
+  ExpectError([&] { read("../../shared/%04d.png", folder_ / "shots"); },
+              {"reference.path", "at most 1 '..'"});
+  ExpectError([&] { read("a/%04d.png", folder_ / "other"); },
+              {"one", "does not lie below", "other"});
+  ExpectError([&] { read("a/%04d.png", folder_ / "none"); }, {"none", "no folder"});
+}
+
 TEST_F(ReadSequenceTest, WhatIsNoManifestIsRefused) {
   ExpectError([&] { ReadSequence(folder_.path()); }, {Sequence::kManifest, "does not exist"});
   ExpectError([&] { Read("{\"format\": 1}"); }, {(folder_ / Sequence::kManifest).string()});

@@ -1,18 +1,12 @@
 // warplut dense: temporally dense rendering beside its rivals, as an eye integrates them.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <memory>
 
 #include "tools/commands/command.h"
-#include "tools/dense/dense_report.h"
+#include "tools/dense/dense_job.h"
 #include "tools/dense/dense_sweep.h"
-#include "tools/scene_rendering.h"
 #include "tools/tables/table_text.h"
-#include "tools/terminal/interrupt.h"
-#include "tools/terminal/progress.h"
 #include "tools/thread_limit.h"
 
 namespace warplut {
@@ -27,16 +21,6 @@ struct DenseArguments {
   bool markdown = false;
   bool json = false;
 };
-
-std::vector<std::string> SelectedScenes(const std::vector<std::string>& selections) {
-  std::vector<std::string> scenes;
-  for (const std::string& selection : selections) {
-    for (const std::string& scene : AsUsage([&] { return SelectScenes(selection); })) {
-      scenes.push_back(scene);
-    }
-  }
-  return scenes;
-}
 
 void PrintTable(const DenseArguments& arguments, const TextTable& table) {
   Print(arguments.markdown ? ToMarkdown(table) : ToText(table));
@@ -58,21 +42,8 @@ ExitCode RunSweep(const DenseArguments& arguments) {
 }
 
 ExitCode RunScenes(const DenseArguments& arguments) {
-  const DenseSettings& settings = arguments.sweep_settings.dense;
-  const std::vector<std::string> scenes = SelectedScenes(arguments.scenes);
-  if (!arguments.pictures.empty()) std::filesystem::create_directories(arguments.pictures);
-  std::vector<DenseReport> reports;
-  {
-    Progress progress("judging", static_cast<double>(scenes.size()), "scenes");
-    for (const std::string& scene : scenes) {
-      ThrowIfInterrupted("dense", "nothing was printed");
-      const DenseWorld world =
-          SceneWorld(scene, settings.world, settings.warm_up + settings.judged);
-      reports.push_back(MeasureDense(scene, world, settings, arguments.pictures));
-      progress.Add(1);
-    }
-  }
-  if (reports.size() > 1) reports.push_back(MeanDenseReport(reports));
+  const std::vector<DenseReport> reports =
+      JudgeScenes(arguments.scenes, arguments.sweep_settings.dense, arguments.pictures);
   Json json = Json::array();
   for (const DenseReport& report : reports) {
     if (arguments.json) {

@@ -20,8 +20,8 @@ struct EvalArguments {
 };
 
 ExitCode RunEval(const EvalArguments& arguments) {
-  const JudgeArguments& shared = arguments.sequence;
-  if (!shared.sequences.empty()) return RunJudge(shared);
+  if (!arguments.sequence.request.sequences.empty()) return RunJudge(arguments.sequence);
+  const JudgeRequest& shared = arguments.sequence.request;
   EvalRequest request = arguments.request;
   request.targets = shared.targets;
   request.pictures = shared.pictures;
@@ -29,8 +29,8 @@ ExitCode RunEval(const EvalArguments& arguments) {
   bool met = true;
   EvalImages(request, [&](const EvalReport& report) {
     met = report.missed.empty();
-    if (shared.json) return PrintJson(ToJson(report));
-    Print(shared.markdown ? ToMarkdown(ScoreTable(report)) : ToText(report));
+    if (arguments.sequence.json) return PrintJson(ToJson(report));
+    Print(arguments.sequence.markdown ? ToMarkdown(ScoreTable(report)) : ToText(report));
     for (const std::string& sentence : report.missed) Print("missed: " + sentence + "\n");
   });
   return met ? ExitCode::kDone : ExitCode::kMissed;
@@ -77,11 +77,11 @@ void AddEvalCommand(Command app, CommandRun* run) {
       .Within(0, 1 << 15)
       .ShowDefault();
   command.Add("--seed", a.request.seed, "Seed of the random trajectories").ShowDefault();
-  command.Add("--target", a.sequence.targets,
+  command.Add("--target", a.sequence.request.targets,
               std::string("Targets for the SSIM, more than MARGIN above FILTER's: ") +
                   kScoreTargetForm +
                   "; on sequences the least values of a method: METHOD,PSNR,SSIM");
-  command.Add("--pictures", a.sequence.pictures,
+  command.Add("--pictures", a.sequence.request.pictures,
               "Folder for pictures: original, Catmull-Rom and the table after 24 warps; on "
               "sequences the windows where the first method errs most");
   CommandOption markdown =

@@ -1,5 +1,6 @@
 // warplut dataset import: frames as other tools write them, described by a manifest.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -11,7 +12,7 @@ namespace {
 
 struct ImportArguments {
   ImportRequest request;
-  std::string folder, cameras;
+  std::string folder, fields;
   double near = 0, far = 0;
   bool json = false;
 };
@@ -22,11 +23,11 @@ ExitCode RunImport(ImportArguments arguments) {
                    arguments.request.scale <= Sequence::kMaxScale,
                fmt::format("--scale is {}; expected 1 to 4.", arguments.request.scale));
   arguments.request.folder = arguments.folder;
-  arguments.request.cameras = arguments.cameras;
+  arguments.request.fields = arguments.fields;
   if (arguments.near > 0) arguments.request.near = arguments.near;
   if (arguments.far > 0) arguments.request.far = arguments.far;
   const ImportResult result = ImportSequence(arguments.request);
-  const std::string manifest = (result.sequence.folder / Sequence::kManifest).string();
+  const std::string manifest = result.manifest.string();
   if (arguments.json) {
     PrintJson({{"sequence", manifest},
                {"frames", result.sequence.count},
@@ -40,7 +41,7 @@ ExitCode RunImport(ImportArguments arguments) {
   }
   Print(fmt::format("{}: {} frames with {}\n", manifest, result.sequence.count, streams));
   for (const std::string& note : result.notes) Print(note + "\n");
-  Print("Check it: warplut dataset inspect " + arguments.folder + "\n");
+  Print("Check it: warplut dataset inspect " + manifest + "\n");
   return ExitCode::kDone;
 }
 
@@ -65,8 +66,13 @@ void AddImportCommand(Command dataset, CommandRun* run) {
   command.Add("--near", arguments->near, "Near plane, in units of the depth");
   command.Add("--far", arguments->far,
               "Far plane, in units of the depth (default: the largest depth)");
-  command.Add("--cameras", arguments->cameras,
-              "JSON file with the fields camera and jitter of a manifest");
+  command.Add("--fields", arguments->fields,
+              fmt::format("JSON file with fields of a manifest that frames do not tell: {}",
+                          fmt::join(kImportFields, ", ")));
+  command.Add("--capture", request.capture, "Capture to take, of several of the preset arm");
+  command.Add("--reactive", request.reactive, "Files of the reactive mask, as masks/%04d.png");
+  command.Add("--hud", request.hud, "Files of the HUD with its alpha, as hud/%04d.png");
+  command.AddFlag("--color-alpha", request.alpha, "Take the alpha of the colour files too");
   command.AddFlag("--replace", request.replace, "Replace a manifest that is there");
   AddJsonOption(command, &arguments->json);
   command.OnParsed([arguments, run] { *run = [arguments] { return RunImport(*arguments); }; });

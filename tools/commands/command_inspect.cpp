@@ -7,6 +7,7 @@
 #include "datasets/sequence/sequence.h"
 #include "tools/commands/command.h"
 #include "tools/commands/command_dataset.h"
+#include "tools/commands/pipeline_options.h"
 #include "tools/inspection/exr_listing.h"
 #include "tools/inspection/inspection_text.h"
 #include "tools/inspection/sequence_inspection.h"
@@ -20,6 +21,7 @@ namespace {
 struct InspectArguments {
   std::string path;
   std::string write;
+  std::string streams_below;
   bool all = false;
   std::string only;  // "streams", "questions", or empty: everything
   bool json = false;
@@ -67,7 +69,7 @@ ExitCode RunInspect(const InspectArguments& arguments) {
     }
     return ExitCode::kDone;
   }
-  const Sequence sequence = ReadSequence(arguments.path);
+  const Sequence sequence = ReadSequence(arguments.path, arguments.streams_below);
   const double loads =
       static_cast<double>(StreamNames(AvailableStreams(sequence)).size()) * sequence.count;
   std::vector<StreamInspection> streams;
@@ -105,6 +107,7 @@ void AddInspectCommand(Command dataset, CommandRun* run) {
       .Add("sequence", arguments->path,
            "Sequence to load, a sequence.json or its folder; or an .exr file to list")
       .Required();
+  AddStreamsBelowOption(command, &arguments->streams_below);
   command.Add("--write", arguments->write,
               "Manifest to write with the convention that the frames show");
   command.AddFlag("--all", arguments->all, "Print every candidate of every question");

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "tools/commands/command.h"
+#include "tools/commands/pipeline_options.h"
 #include "tools/report/report.h"
 #include "tools/tables/table_text.h"
 
@@ -61,6 +62,7 @@ std::string ShellCommand(const ReportOptions& options) {
   std::string line = "warplut report --out " + options.folder.string();
   if (options.quick) line += " --quick";
   for (const std::string& path : options.sequences) line += " --sequence " + path;
+  if (!options.streams_below.empty()) line += " --streams-below " + options.streams_below;
   if (!options.lut.empty()) line += " --lut " + options.lut;
   if (options.threads != 0) line += fmt::format(" --threads {}", options.threads);
   if (options.seed != ReportOptions{}.seed) line += fmt::format(" --seed {}", options.seed);
@@ -79,6 +81,7 @@ void AddReportCommand(Command app, CommandRun* run) {
   report.AddFlag("--quick", options.quick, "Finish in under 3 minutes instead of under 20");
   report.Add("--sequence", options.sequences,
              "Sequences with references (default: the built-in scenes)");
+  AddStreamsBelowOption(report, &options.streams_below);
   report.Add("--lut", options.lut, "Fit or table to report on (default: the fits that ship)");
   report.Add("--threads", options.threads, "Number of threads (default: all cores)");
   report.Add("--seed", options.seed, "Seed of scenes, offsets and starts").ShowDefault();

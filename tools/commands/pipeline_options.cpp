@@ -19,8 +19,14 @@ void AddTableOptions(Command command, PipelineArguments* arguments) {
       .Within(0, 1024);
 }
 
+void AddStreamsBelowOption(Command command, std::string* folder) {
+  command.Add("--streams-below", *folder,
+              "Folder that streams may lie below (default: the manifest's folder)");
+}
+
 void AddPipelineOptions(Command command, PipelineArguments* arguments) {
   PipelineArguments& a = *arguments;
+  AddStreamsBelowOption(command, &a.streams_below);
   command.Add("--filter", a.filter, "Closed-form filter instead of a table: " + WarpNames());
   command.Add("--params", a.params, "File of calibrated parameters (default: built-in parameters)");
   command.Add("--frames", a.frames, "First and last frame to use, as A:B (default: all)");

@@ -13,7 +13,11 @@ namespace warplut {
 // Adds --lut, --lookup and --threads.
 void AddTableOptions(Command command, PipelineArguments* arguments);
 
-// Adds --params, --filter, --frames, --generated, --alpha, --motion-filter, --history and --texels.
+// Adds --streams-below.
+void AddStreamsBelowOption(Command command, std::string* folder);
+
+// Adds --streams-below, --params, --filter, --frames, --generated, --alpha, --motion-filter,
+// --history and --texels.
 void AddPipelineOptions(Command command, PipelineArguments* arguments);
 
 // Adds --device and returns it.

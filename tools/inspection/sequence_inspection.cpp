@@ -51,7 +51,8 @@ class QuietStandardError {
 
 constexpr Streams kEach[] = {
     Streams::kColor,          Streams::kDepth,           Streams::kMotion,   Streams::kReference,
-    Streams::kReferenceDepth, Streams::kReferenceMotion, Streams::kReactive, Streams::kHud};
+    Streams::kReferenceDepth, Streams::kReferenceMotion, Streams::kReactive, Streams::kHud,
+    Streams::kAlpha,          Streams::kReferenceAlpha};
 
 const Image& StreamImage(const Frame& frame, Streams stream) {
   switch (stream) {
@@ -69,6 +70,10 @@ const Image& StreamImage(const Frame& frame, Streams stream) {
       return frame.reactive;
     case Streams::kHud:
       return frame.hud;
+    case Streams::kAlpha:
+      return frame.alpha;
+    case Streams::kReferenceAlpha:
+      return frame.reference_alpha;
     default:
       return frame.color;
   }

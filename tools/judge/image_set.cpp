@@ -47,12 +47,13 @@ Image LoadDisplayImage(const ListedImage& listed) {
 
 }  // namespace
 
-std::vector<TrainImage> LoadImages(const std::vector<fs::path>& paths, int* tone_mapped) {
+std::vector<TrainImage> LoadImages(const std::vector<fs::path>& paths, int* tone_mapped,
+                                   const fs::path& streams_below) {
   std::vector<TrainImage> images;
   int linear = 0;
   std::set<fs::path> seen;
   for (const fs::path& path : paths) {
-    for (const ListedImage& listed : ListImages(path)) {
+    for (const ListedImage& listed : ListImages(path, streams_below)) {
       const fs::path& file = listed.file;
       if (!seen.insert(fs::weakly_canonical(file)).second) {
         throw Error(fmt::format("{} is given twice.", file.string()));

@@ -15,9 +15,10 @@ namespace warplut {
 // receives how many images were. Each record has the file's name behind the name of the folder that
 // was given, its SHA-1 and its size. An Error names the file: what LoadListedImage refuses, 2
 // channels, or a value outside [0, 1] of a file that stands alone; or says that two paths give the
-// same file. Alpha is dropped.
+// same file. Alpha is dropped. Sequences are read with `streams_below` (ReadSequence).
 std::vector<TrainImage> LoadImages(const std::vector<std::filesystem::path>& paths,
-                                   int* tone_mapped = nullptr);
+                                   int* tone_mapped = nullptr,
+                                   const std::filesystem::path& streams_below = {});
 
 // The sentence about images that were tone-mapped, with a newline; empty if none was.
 std::string ToneMappedText(int tone_mapped, std::size_t images);

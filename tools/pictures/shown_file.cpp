@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "datasets/error.h"
@@ -9,6 +10,23 @@
 #include "train/replay/image_views.h"
 
 namespace warplut {
+
+namespace {
+
+Image WithAlpha(const Image& premultiplied, const Image& alpha, bool straight) {
+  Image image(alpha.width, alpha.height, 4);
+  for (std::size_t i = 0; i < alpha.data.size(); ++i) {
+    const float a = alpha.data[i];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float value = premultiplied.data[3 * i + c];
+      image.data[4 * i + c] = straight ? (a > 0 ? std::min(value / a, 1.0F) : 0) : value;
+    }
+    image.data[4 * i + 3] = a;
+  }
+  return image;
+}
+
+}  // namespace
 
 std::string ShownFileName(int first, double time, ShownFormat format) {
   const char* extension = format == ShownFormat::kPng ? "png" : "exr";
@@ -19,13 +37,14 @@ std::string ShownFileName(int first, double time, ShownFormat format) {
 }
 
 void WriteShownFrame(const std::filesystem::path& folder, int first, const ShownFrame& shown,
-                     ColorEncoding encoding, ShownFormat format) {
+                     ColorEncoding encoding, ShownFormat format, const Image* alpha) {
   const std::filesystem::path path = folder / ShownFileName(first, shown.time, format);
   if (encoding == ColorEncoding::kLinearHdr && format == ShownFormat::kPng) {
     throw Error(fmt::format("'{}' would hold linear colour; expected .exr for it", path.string()));
   }
-  WriteImage(path, ToImage(shown.image),
-             format == ShownFormat::kPng ? PixelType::kUint8 : PixelType::kHalf);
+  Image image = ToImage(shown.image);
+  if (alpha != nullptr) image = WithAlpha(image, *alpha, format == ShownFormat::kPng);
+  WriteImage(path, image, format == ShownFormat::kPng ? PixelType::kUint8 : PixelType::kHalf);
 }
 
 }  // namespace warplut

@@ -105,7 +105,7 @@ ReportInputs LoadInputs(const ReportOptions& options) {
   inputs.sequences = SequencesOption(options);
   for (const std::string& path : options.sequences) {
     StopIfInterrupted();
-    AddSequence(path, options.quick, &inputs.clips, &inputs.larger_clips);
+    AddSequence(path, options.streams_below, options.quick, &inputs.clips, &inputs.larger_clips);
     if (Ranks::World().IsRoot()) WarnOfLimitedColor({&inputs.clips.back().dense});
   }
   return inputs;

@@ -26,6 +26,7 @@ struct ReportOptions {
   std::filesystem::path folder;
   bool quick = false;
   std::vector<std::string> sequences;  // empty: the built-in scenes
+  std::string streams_below;           // ReadSequence; empty: below their manifests' folders
   std::string lut;                     // empty: the fits that ship
   int threads = 0;                     // at most; 0: one per core
   std::uint64_t seed = 1;

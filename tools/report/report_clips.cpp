@@ -88,9 +88,9 @@ std::vector<ReportClip> RenderReportClips(const ReportScenes& scenes, std::uint6
   return clips;
 }
 
-void AddSequence(const std::filesystem::path& path, bool quick, std::vector<ReportClip>* clips,
-                 std::vector<ReportClip>* larger) {
-  const Sequence sequence = ReadSequence(path);
+void AddSequence(const std::filesystem::path& path, const std::filesystem::path& streams_below,
+                 bool quick, std::vector<ReportClip>* clips, std::vector<ReportClip>* larger) {
+  const Sequence sequence = ReadSequence(path, streams_below);
   const Streams available = AvailableStreams(sequence);
   for (const Streams one : {Streams::kColor, Streams::kDepth, Streams::kMotion, Streams::kReference,
                             Streams::kReferenceDepth, Streams::kReferenceMotion}) {

@@ -35,8 +35,8 @@ int CountFrames(const ReportScenes& scenes);
 // from the middle of them; then `larger` gets fewer frames, whole. An Error names the sequence if
 // it lacks a stream, has fewer than 3 frames or a name that one of the clips has; or as
 // ReadSequence, LoadClip and CropClip.
-void AddSequence(const std::filesystem::path& path, bool quick, std::vector<ReportClip>* clips,
-                 std::vector<ReportClip>* larger);
+void AddSequence(const std::filesystem::path& path, const std::filesystem::path& streams_below,
+                 bool quick, std::vector<ReportClip>* clips, std::vector<ReportClip>* larger);
 
 // The same part of the sequence again, from its files: the streams `which` of its first frames, at
 // most those of the clip.

@@ -6,6 +6,7 @@
 
 #include "datasets/file.h"
 #include "tools/pictures/hud_layer.h"
+#include "tools/run/alpha_run.h"
 #include "tools/terminal/interrupt.h"
 #include "tools/terminal/progress.h"
 #include "tools/terminal/warning.h"
@@ -22,6 +23,13 @@ ShownFormat FormatOf(const RunRequest& request, const Sequence& sequence) {
                fmt::format("'{}' has linear colour, which .png cannot hold; expected --format exr",
                            sequence.name));
   return request.format == "exr" ? ShownFormat::kExr : ShownFormat::kPng;
+}
+
+Image ToImage(const ShownAlpha& alpha, const ImageView& of) {
+  Image image(of.width, of.height, 1);
+  std::transform(alpha.begin(), alpha.end(), image.data.begin(),
+                 [](std::uint16_t value) { return static_cast<float>(value) / kOpaque; });
+  return image;
 }
 
 double ShownFrames(const ModeRunOptions& options, int count) {
@@ -58,12 +66,17 @@ std::vector<ModeOutput> ModeRunner::Run() {
 ModeRunOptions ModeRunner::OptionsOf(const MethodInfo& method) const {
   ModeRunOptions options = pipeline_.Options(method, request_.every);
   options.device = device_.get();
+  // Colour is divided by alpha where it is written: 8 bits would be too few.
+  if (AlphaStreamOf(sequence_, method) != Streams::kNone) {
+    options.shown_format = PixelFormat::kRgba16F;
+  }
   return options;
 }
 
 Clip ModeRunner::Load(const FrameRange& range, const MethodInfo& method) const {
   const ModeRunOptions options = OptionsOf(method);
-  Clip clip = pipeline_.Load(sequence_, range, {&method}, Streams::kNone, options.every);
+  Clip clip =
+      pipeline_.Load(sequence_, range, {&method}, AlphaStreamOf(sequence_, method), options.every);
   std::string why;
   if (!options.IsValid(clip, &why)) throw Error(why);
   return clip;
@@ -72,19 +85,38 @@ Clip ModeRunner::Load(const FrameRange& range, const MethodInfo& method) const {
 // Runs before the first mode: an Error tells what a later one lacks, a stream or a choice.
 void ModeRunner::CheckMode(const MethodInfo& method) const {
   LoadFrame(sequence_, range_.first, NeededStreams(method, AvailableStreams(sequence_)));
+  if (request_.score) TruthStreams(method);
   if (device_ == nullptr) return;
   // One frame that is rendered after the first.
   Load({range_.first, std::min(range_.count, request_.every + 1)}, method);
 }
 
+// Frames with alpha are premultiplied by it, and so is what they are judged by.
+Clip ModeRunner::LoadTruth(const MethodInfo& method) const {
+  return LoadClip(sequence_, range_.first, range_.count, TruthStreams(method));
+}
+
+Streams ModeRunner::TruthStreams(const MethodInfo& method) const {
+  const Streams available = AvailableStreams(sequence_);
+  const Streams streams = JudgingStreams(method, available);
+  if (AlphaStreamOf(sequence_, method) == Streams::kNone ||
+      !Contains(streams, Streams::kReference)) {
+    return streams;
+  }
+  RequireUsage(Contains(available, Streams::kReferenceAlpha),
+               fmt::format("'{}' has an alpha, and its reference has none; expected the stream "
+                           "reference_alpha to judge by, or no --score",
+                           sequence_.name));
+  return streams | Streams::kReferenceAlpha;
+}
+
 ModeOutput ModeRunner::RunOne(const MethodInfo& method) {
   const ModeRunOptions options = OptionsOf(method);
-  const Clip clip = Load(range_, method);
+  Clip clip = Load(range_, method);
   std::optional<Clip> truth;
   std::optional<SequenceJudge> judge;
   if (request_.score) {
-    truth = LoadClip(sequence_, range_.first, range_.count,
-                     JudgingStreams(method, AvailableStreams(sequence_)));
+    truth = LoadTruth(method);
     judge.emplace(*truth, method, kScoreBorder, request_.settled);
   }
   WarnOfLimitedColor({&clip, truth ? &*truth : nullptr});
@@ -95,11 +127,24 @@ ModeOutput ModeRunner::RunOne(const MethodInfo& method) {
   CreateFolder(output.folder);
   const int first = clip.frames.front().number;
   HudLayer hud(sequence_, range_.first, pool_);
-  Progress progress("running " + output.mode,
-                    ShownFrames(options, static_cast<int>(clip.frames.size())), "frames");
+  const Streams alpha_stream = AlphaStreamOf(sequence_, method);
+  const bool has_alpha = alpha_stream != Streams::kNone;
+  Progress progress(
+      "running " + output.mode,
+      ShownFrames(options, static_cast<int>(clip.frames.size())) * (has_alpha ? 2 : 1), "frames");
+  std::vector<ShownAlpha> alphas;
+  if (has_alpha) {
+    alphas = RunAlpha(clip, alpha_stream, options, pool_, [&] {
+      ThrowIfInterrupted("run", "no frame is written yet");
+      progress.Add(1);
+    });
+  }
   RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
     ThrowIfInterrupted("run", "the frames that are written are whole");
-    WriteShownFrame(output.folder, first, hud.Over(shown), clip.encoding, format_);
+    Image alpha;
+    if (has_alpha) alpha = ToImage(alphas.at(output.files.size()), shown.image);
+    WriteShownFrame(output.folder, first, hud.Over(shown), clip.encoding, format_,
+                    has_alpha ? &alpha : nullptr);
     output.files.push_back(ShownFileName(first, shown.time, format_));
     if (judge) judge->Add(shown);
     progress.Add(1);

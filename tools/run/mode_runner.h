@@ -50,8 +50,10 @@ class ModeRunner {
 
  private:
   ModeRunOptions OptionsOf(const MethodInfo& method) const;
-  // The clip of the range, on which the method can run.
+  // The clip of the range, on which the method can run, with its alpha where there is one.
   Clip Load(const FrameRange& range, const MethodInfo& method) const;
+  Streams TruthStreams(const MethodInfo& method) const;
+  Clip LoadTruth(const MethodInfo& method) const;
   void CheckMode(const MethodInfo& method) const;
   ModeOutput RunOne(const MethodInfo& method);
 

@@ -30,7 +30,7 @@ class MethodFrames {
       : request_(request),
         folder_(folder),
         pipeline_(request.pipeline),
-        sequence_(ReadSequence(request.sequence)),
+        sequence_(ReadSequence(request.sequence, request.pipeline.streams_below)),
         range_(ParseFrames(request.pipeline.frames, sequence_)),
         device_(OpenDevice(request.device)),
         pool_(request.pipeline.threads) {

@@ -35,4 +35,9 @@ std::vector<Finding> FindPairFaults(const Sequence& sequence, const InspectedCli
 std::vector<Finding> FindStreamFaults(const Sequence& sequence, const InspectedClip& clip,
                                       const MotionAnswer& motion, const JitterAnswer& jitter);
 
+// Layers and colour with alpha: straight where premultiplied is stated, and the reverse, in three
+// frames of display colour. Layers with few half-transparent pixels, and straight ones that are not
+// white, cannot be told.
+std::vector<Finding> FindLayerFaults(const Sequence& sequence);
+
 }  // namespace warplut

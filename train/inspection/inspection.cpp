@@ -53,6 +53,9 @@ Inspection Inspect(const Sequence& sequence, const std::function<void()>& on_ste
   for (Finding& finding : FindStreamFaults(sequence, clip, inspection.motion, inspection.jitter)) {
     inspection.findings.push_back(std::move(finding));
   }
+  for (Finding& finding : FindLayerFaults(sequence)) {
+    inspection.findings.push_back(std::move(finding));
+  }
   return inspection;
 }
 

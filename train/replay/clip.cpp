@@ -58,6 +58,13 @@ PixelFormat ColorFormat(const Sequence& sequence, int first, int count, Streams 
   return PixelFormat::kRgba8;
 }
 
+// One channel as three.
+Image Grey(const Image& one) {
+  Image grey(one.width, one.height, 3);
+  for (std::size_t i = 0; i < grey.data.size(); ++i) grey.data[i] = one.data[i / 3];
+  return grey;
+}
+
 // Limits what lies beyond kLargestHdr and counts it.
 std::int64_t LimitColor(Image& linear) {
   std::int64_t limited = 0;
@@ -197,24 +204,22 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
   clip.render = sequence.render;
   clip.output = sequence.output;
   if (!sequence.render_sizes.empty()) {
-    if (every > 1) {
-      throw Error(fmt::format(
-          "the render size of '{}' varies, and every is {}; expected 1, as motion is composed on "
-          "one grid",
-          sequence.name, every));
-    }
     const auto begin_size = sequence.render_sizes.begin() + first;
     clip.render_sizes.assign(begin_size, begin_size + count);
   }
   clip.encoding = sequence.color_space == ColorSpace::kLinear ? ColorEncoding::kLinearHdr
                                                               : ColorEncoding::kDisplay;
-  const PixelFormat color_format = Contains(which, Streams::kColor)
-                                       ? ColorFormat(sequence, first, count, Streams::kColor)
-                                       : PixelFormat::kRgba8;
-  const PixelFormat reference_format =
-      Contains(which, Streams::kReference)
-          ? ColorFormat(sequence, first, count, Streams::kReference)
-          : PixelFormat::kRgba8;
+  // Of a colour and its alpha.
+  const auto formats = [&](Streams color, Streams alpha) {
+    const auto of = [&](Streams one) {
+      return Contains(which, one) ? ColorFormat(sequence, first, count, one) : PixelFormat::kRgba8;
+    };
+    const bool premultiplied = Contains(which, color | alpha);
+    return std::pair(premultiplied ? PixelFormat::kRgba32F : of(color), of(alpha));
+  };
+  const auto [color_format, alpha_format] = formats(Streams::kColor, Streams::kAlpha);
+  const auto [reference_format, reference_alpha_format] =
+      formats(Streams::kReference, Streams::kReferenceAlpha);
 
   // Frames before the first are there for their motion. Colour goes to its buffer at once; motion
   // and depth, which other frames need to compose theirs, when all frames are loaded.
@@ -243,7 +248,14 @@ Clip LoadClip(const Sequence& sequence, int first, int count, Streams which, int
     if (Contains(which, Streams::kReactive)) {
       out.reactive = ToBuffer(frame.reactive, PixelFormat::kR32F);
     }
-    frame.color = frame.reference = frame.reactive = frame.hud = Image();
+    if (Contains(which, Streams::kAlpha)) out.alpha = ToBuffer(Grey(frame.alpha), alpha_format);
+    if (Contains(which, Streams::kReferenceAlpha)) {
+      out.reference_alpha = ToBuffer(Grey(frame.reference_alpha), reference_alpha_format);
+    }
+    for (Image* image : {&frame.color, &frame.reference, &frame.reactive, &frame.hud, &frame.alpha,
+                         &frame.reference_alpha}) {
+      *image = Image();
+    }
   });
   if (sequence.depth) clip.depth_unit = DepthUnit(*sequence.depth);
   if (sequence.reference_depth) clip.reference_depth_unit = DepthUnit(*sequence.reference_depth);

@@ -25,12 +25,15 @@ struct ClipFrame {
   ImageBuffer reference, reference_depth;
   MotionBuffer reference_motion;
   ImageBuffer reactive;
+  // How much of each pixel the colour covers, as R = G = B; colour is premultiplied by it.
+  ImageBuffer alpha, reference_alpha;
 
   RenderedFrame Rendered() const;    // color, depth, motion and reactive with its jitter
   DisplayedFrame Displayed() const;  // the references, as a display shows them
 };
 
-// Colour is RGBA8 where the sequence is sRGB and its files have 8 bits, else RGBA32F.
+// Colour is RGBA8 where the sequence is sRGB and its files have 8 bits, else RGBA32F; so is alpha,
+// and colour beside an alpha is RGBA32F.
 struct Clip {
   std::string name;
   GridSize render, output;
@@ -53,7 +56,6 @@ enum class MotionFiltering { kOff, kQuantised, kOn };
 // Loads the streams `which` of frames [first, first + count) by index. The motion of each frame
 // starts at the frame `every` before it in the sequence. It is composed along the frames between,
 // so that a clip can be taken from every `every`-th frame. A frame with a cut between is a cut.
-// Motion is composed of frames of one render size alone: an Error with every > 1 where it varies.
 // With every > 1 motion is filtered before it is composed, as `filtering` says (kQuantised: if that
 // of some frame is quantised). With every == 1 motion is not filtered here; kQuantised sets
 // `quantised_motion` for the passes.

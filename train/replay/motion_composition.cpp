@@ -31,11 +31,16 @@ struct Track {
   double depth = 0;
 };
 
-// Moves `track` one frame back, from its position in the frame of `field`.
-void StepBack(const MotionField& field, Track& track) {
+// Moves `track` one frame back, from its position in the frame of `field`. Its coordinates are
+// those of `grid`.
+void StepBack(const MotionField& field, const Image& grid, Track& track) {
   const Image& motion = *field.motion;
-  const double u = std::clamp(track.position.x - field.offset.x - 0.5, 0.0, motion.width - 1.0);
-  const double v = std::clamp(track.position.y - field.offset.y - 0.5, 0.0, motion.height - 1.0);
+  const Vec2 scale = {double{1} * motion.width / grid.width,
+                      double{1} * motion.height / grid.height};
+  const Vec2 at = {track.position.x * scale.x - field.offset.x - 0.5,
+                   track.position.y * scale.y - field.offset.y - 0.5};
+  const double u = std::clamp(at.x, 0.0, motion.width - 1.0);
+  const double v = std::clamp(at.y, 0.0, motion.height - 1.0);
   const int left = static_cast<int>(u), top = static_cast<int>(v);
   double total = 0, depth = 0, nearest_weight = -1;
   Vec2 step, nearest = {kNan, kNan};
@@ -60,12 +65,10 @@ void StepBack(const MotionField& field, Track& track) {
   }
   if (total > 0) {
     track.depth = depth / total;
-    track.position.x -= step.x / total;
-    track.position.y -= step.y / total;
-  } else {
-    track.position.x -= nearest.x;
-    track.position.y -= nearest.y;
+    nearest = {step.x / total, step.y / total};
   }
+  track.position.x -= nearest.x / scale.x;
+  track.position.y -= nearest.y / scale.y;
 }
 
 }  // namespace
@@ -82,7 +85,7 @@ Image ComposeMotion(std::span<const MotionField> fields) {
                   .depth = now.depth != nullptr ? DepthAt(*now.depth, x, y) : 0};
       for (const MotionField& field : fields.subspan(1)) {
         if (!IsFinite(track.position)) break;
-        StepBack(field, track);
+        StepBack(field, *now.motion, track);
       }
       const bool known = IsFinite(track.position);
       composed.at(x, y, 0) = static_cast<float>(known ? start.x - track.position.x : kNan);

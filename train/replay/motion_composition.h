@@ -8,16 +8,18 @@
 namespace warplut {
 
 // Motion and depth of one frame, on one grid. Pixel (i, j) was sampled at
-// (i + 0.5 + offset.x, j + 0.5 + offset.y).
+// (i + 0.5 + offset.x, j + 0.5 + offset.y), in pixels of this grid.
 struct MotionField {
   const Image* motion = nullptr;  // 2 channels, pixels of the grid, from the frame before
   const Image* depth = nullptr;   // 1 channel, of the same size; null: unknown
   Vec2 offset = {};               // the jitter on the render grid, zero on the output grid
 };
 
-// The motion of fields[0] from the frame `fields.size()` before it; fields[k] is k frames before
-// fields[0], all of one size:
+// The motion of fields[0] from the frame `fields.size()` before it, in its pixels; fields[k] is k
+// frames before fields[0]:
 //   M_0 = m_0(p),  M_k = M_(k-1) + m_k(p - M_(k-1))
+// Where sizes differ (dynamic resolution), positions and motion are scaled from one grid to the
+// other.
 //
 // m_k is read bilinearly between those of the four nearest texels that show the surface of p: whose
 // depth differs from the depth where it was read last by at most kSameSurface, or all four if depth

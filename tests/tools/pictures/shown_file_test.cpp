@@ -41,5 +41,23 @@ TEST(ShownFile, HoldsTheColours) {
       {"0004_250.png", "linear", ".exr"});
 }
 
+TEST(ShownFile, HoldsAlphaStraightInPngAndPremultipliedInExr) {
+  const TemporaryFolder folder;
+  Image image(2, 1, 3), alpha(2, 1, 1);
+  image.at(0, 0, 0) = 0.25F;  // of a pixel that is half covered by 0.5; the other is empty
+  alpha.at(0, 0) = 0.5F;
+  const ImageBuffer buffer = ToBuffer(image, PixelFormat::kRgba32F);
+  const ShownFrame shown = {.image = buffer.view()};
+  for (const ShownFormat format : {ShownFormat::kPng, ShownFormat::kExr}) {
+    WriteShownFrame(folder.path(), 3, shown, ColorEncoding::kDisplay, format, &alpha);
+    const Image read = ReadImage(folder / ShownFileName(3, 0, format));
+    ASSERT_EQ(read.channels, 4);
+    EXPECT_NEAR(read.at(0, 0, 0), format == ShownFormat::kPng ? 0.5 : 0.25, 0.003);
+    EXPECT_NEAR(read.at(0, 0, 3), 0.5, 0.003);
+    EXPECT_EQ(read.at(1, 0, 0), 0);
+    EXPECT_EQ(read.at(1, 0, 3), 0);
+  }
+}
+
 }  // namespace
 }  // namespace warplut

@@ -34,7 +34,7 @@ TEST(ReportClips, FilterMotionWhereItIsQuantised) {
   WriteRounded(WritePan(folder / "pan"), folder / "rounded");
   for (const bool rounded : {false, true}) {
     std::vector<ReportClip> clips, larger;
-    AddSequence(folder / (rounded ? "rounded" : "pan"), true, &clips, &larger);
+    AddSequence(folder / (rounded ? "rounded" : "pan"), {}, true, &clips, &larger);
     ASSERT_EQ(clips.size(), 1U);
     const ModeRunOptions options = ReportRunOptions(ReportInputs(), MethodOf("sr"));
     EXPECT_EQ(EffectiveSuperResolution(clips[0].dense, options).motion_filter, rounded);

@@ -1,9 +1,12 @@
 // Faults are found in each of ten variants, and not where there are none.
+#include "train/inspection/findings.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "datasets/sequence/sequence_writer.h"
 #include "tests/datasets/temporary_folder.h"
 #include "tests/train/inspection/exported_scene.h"
 #include "train/inspection/inspection.h"
@@ -61,6 +64,49 @@ TEST(Findings, HaveAnUnmarkedCut) {
     });
     EXPECT_TRUE(Has(inspection, "unmarked cut")) << variant;
   }
+}
+
+// White text with soft edges over the frame.
+Image SoftLayer(bool premultiplied, float brightness) {
+  Image layer(32, 16, 4);
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      const float alpha = static_cast<float>(x) / 31;
+      for (int c = 0; c < 3; ++c) layer.at(x, y, c) = brightness * (premultiplied ? alpha : 1);
+      layer.at(x, y, 3) = alpha;
+    }
+  }
+  return layer;
+}
+
+std::vector<std::string> LayerFaults(AlphaKind stated, bool premultiplied, float brightness) {
+  const TemporaryFolder folder;
+  Sequence sequence = StandardSequence("layer", 0, 1, {32, 16}, {32, 16}, ColorSpace::kSrgb,
+                                       Streams::kColor | Streams::kHud, 0.1, 100);
+  Frame frame;
+  frame.color = Image(32, 16, 3);
+  frame.hud = SoftLayer(premultiplied, brightness);
+  const SequenceWriter writer(folder.path(), sequence);
+  writer.Write(0, frame);
+  writer.Finish();
+  Sequence read = ReadSequence(folder.path());
+  read.hud->alpha = stated;
+  std::vector<std::string> found;
+  for (const Finding& finding : FindLayerFaults(read)) found.push_back(finding.what);
+  return found;
+}
+
+TEST(Findings, HaveAnAlphaThatIsNotAsStated) {
+  using Found = std::vector<std::string>;
+  constexpr AlphaKind kStraight = AlphaKind::kStraight, kMultiplied = AlphaKind::kPremultiplied;
+  EXPECT_EQ(LayerFaults(kMultiplied, true, 1), Found());
+  EXPECT_EQ(LayerFaults(kMultiplied, true, 0.5F), Found());
+  EXPECT_EQ(LayerFaults(kStraight, false, 1), Found());
+  EXPECT_EQ(LayerFaults(kStraight, false, 0.5F), Found());
+  EXPECT_EQ(LayerFaults(kStraight, false, 0), Found());
+  EXPECT_EQ(LayerFaults(kMultiplied, false, 1), Found{"straight alpha"});
+  EXPECT_EQ(LayerFaults(kMultiplied, false, 0.5F), Found{"straight alpha"});
+  EXPECT_EQ(LayerFaults(kStraight, true, 1), Found{"premultiplied alpha"});
 }
 
 TEST(Findings, AChangeOfLightIsNoCut) {
