@@ -144,6 +144,11 @@ bool CommandLine::Parse(int argc, const char* const* argv) {
     app_->exit(asked);
     return false;
   } catch (const CLI::ParseError& wrong) {
+    // An option that there is not explains most of what else is wrong: its value is taken for
+    // something else.
+    for (const std::string& rest : app_->remaining(true)) {
+      if (rest.size() > 1 && rest.front() == '-') throw UsageError(rest + " is not an option here");
+    }
     throw UsageError(wrong.what());
   }
   return true;

@@ -60,7 +60,7 @@ void AddRunCommand(Command app, CommandRun* run) {
     modes += fmt::format("{}{}: {}", modes.empty() ? "" : "; ", method.name, method.meaning);
   }
   command
-      .Add("--mode", a.modes,
+      .Add("--mode,--modes", a.modes,
            "Methods to run, separated by commas; several write into OUT/MODE each: " + modes)
       .Separated()
       .Required();

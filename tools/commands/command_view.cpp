@@ -36,7 +36,7 @@ void AddViewCommand(Command app, CommandRun* run) {
   CommandOption sequence =
       command.Add("--sequence", a.sequence, "Sequence to run two methods on, instead of folders");
   sequence.Excludes(folders);
-  command.Add("--methods", a.methods, "Two methods to run on the sequence")
+  command.Add("--modes,--methods", a.methods, "Two methods to run on the sequence")
       .Separated()
       .ShowDefault();
   command.Add("--out", a.out, "Folder for the pictures and the page").Required();

@@ -42,7 +42,7 @@ show render 9 'warplut dataset render street --out my --width 320 --height 180 -
 show inspect 27 'warplut dataset inspect my/street'
 show judge 7 'warplut judge --sequence my/colonnade --modes sr,i \
     --lut luts/baked/warplut_iir_x2.json --pictures pictures'
-show view 20 'warplut view --sequence my/colonnade --methods sr,bilinear \
+show view 20 'warplut view --sequence my/colonnade --modes sr,bilinear \
     --lut luts/baked/warplut_iir_x2.json --out view'
 show payoff 60 'warplut judge --sequence my/colonnade --modes sr --lut luts/baked/warplut_iir_x2.json \
     --against bilinear,catmull-rom,keys:-0.65,spline:1/84'

@@ -21,7 +21,7 @@ void Check(const ViewRequest& request) {
   }
   if (of_sequence) {
     if (request.methods.size() != 2 || request.methods[0] == request.methods[1]) {
-      throw Error("--methods does not name two methods; expected two that differ, as sr,bilinear");
+      throw Error("--modes does not name two methods; expected two that differ, as sr,bilinear");
     }
     for (const std::string& name : request.methods) MethodOf(name);
     CheckDevice(request.device);

@@ -36,7 +36,10 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnow) {
   ExpectRefused(RunWarplut({}), kUsage, "no command");
   ExpectRefused(RunWarplut({"dataset"}), kUsage, "no command");
   ExpectRefused(RunWarplut({"trian"}), kUsage, "trian");
-  ExpectRefused(RunWarplut({"train", "--date", "x"}), kUsage, "");
+  ExpectRefused(RunWarplut({"train", "--date", "x"}), kUsage, "--date is not an option");
+  // Not that its value is one folder too many.
+  ExpectRefused(RunWarplut({"view", "--sequence", "a", "--nodes", "sr"}), kUsage,
+                "--nodes is not an option");
   ExpectRefused(RunWarplut({"compare", "a", "b", "--frobnicate"}), kUsage, "--frobnicate");
   ExpectRefused(RunWarplut({"compare", "a"}), kUsage, "dir_b");
   ExpectRefused(RunWarplut({"dataset", "render", "atlantis", "--out", Path("out")}), kUsage,

@@ -15,7 +15,7 @@ TEST(ViewCommand, DrawsMethodsAndFolders) {
   const TemporaryFolder folder;
   WritePan(folder / "pan", {.frames = 3});
   const ProgramResult methods =
-      RunWarplut({"view", "--sequence", folder / "pan", "--methods", "sr,bilinear", "--filter",
+      RunWarplut({"view", "--sequence", folder / "pan", "--modes", "sr,bilinear", "--filter",
                   "bilinear", "--out", folder / "methods", "--json"});
   ASSERT_EQ(methods.code, 0) << methods.err;
   const auto document = nlohmann::json::parse(methods.out);
