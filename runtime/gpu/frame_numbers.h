@@ -5,11 +5,16 @@
 #include <cstdint>
 
 #include "luts/prefilter.h"
+#include "runtime/gpu/input_conventions.h"
 
 namespace warplut {
 
 using GpuInt2 = std::array<std::int32_t, 2>;
 using GpuFloat2 = std::array<float, 2>;
+
+inline GpuFloat2 MotionScaleOf(const InputConventions& conventions) {
+  return {conventions.motion_scale_x, conventions.motion_scale_y};
+}
 
 // As in shaders/super_resolution.glsl.
 struct FrameNumbers {
@@ -35,6 +40,16 @@ struct GenerationNumbers {
   std::int32_t counts_motion0;
 };
 static_assert(sizeof(GenerationNumbers) == 48);
+
+// As in shaders/motion_filter.glsl.
+struct MotionFilterNumbers {
+  GpuInt2 size;
+  GpuFloat2 motion_scale;
+  float depth_a, depth_b;
+  float limit;
+  std::int32_t sample_step;
+};
+static_assert(sizeof(MotionFilterNumbers) == 32);
 
 // As in shaders/warp.comp; a uniform block is a multiple of 16 bytes.
 struct WarpNumbers {

@@ -9,9 +9,9 @@
 #include "runtime/generation/generation_job.h"
 #include "runtime/gpu/frame_numbers.h"
 #include "runtime/gpu/gpu_filter.h"
+#include "runtime/gpu/gpu_motion_filter.h"
 #include "runtime/gpu/image_transfer.h"
 #include "runtime/hud.h"
-#include "runtime/motion_filter.h"
 
 namespace warplut {
 namespace {
@@ -21,9 +21,9 @@ constexpr std::size_t kSlots = 2;
 
 // What is on the device of one of the two frames, in indices of GpuResources.
 struct Slot {
-  int color, depth, motion, codes, coefficients;  // images
-  int color_bytes, depth_bytes, motion_bytes;     // buffers
-  std::uint64_t id = 0;                           // of the frame; 0: of none that can be found
+  int color, depth, motion, filtered, codes, coefficients;  // images
+  int color_bytes, depth_bytes, motion_bytes;               // buffers
+  std::uint64_t id = 0;  // of the frame; 0: of none that can be found
   bool has_color = false;
 };
 
@@ -56,7 +56,6 @@ struct GpuFrameGeneration::State {
   // bindings of those that generating takes.
   std::vector<std::vector<Binding>> Sets(bool generates) const;
   std::size_t Find(const DisplayedFrame& frame, bool needs_color) const;
-  MotionView Filtered(const DisplayedFrame& frame);
   void Upload(const DisplayedFrame& frame, Slot& slot);
   void RecordFrame(std::size_t slot);
   GenerationNumbers NumbersOf(const DisplayedFrame& frame0, float alpha) const;
@@ -71,16 +70,15 @@ struct GpuFrameGeneration::State {
   InputConventions conventions;
   Prefilter prefilter;
   std::unique_ptr<GpuWorkspace> gpu;
-  PrefilterPasses filter_passes;
+  PrefilterPasses prefilter_passes;
+  MotionFilterPasses motion_passes;
   int encode = -1;
   std::array<KindOfFrame, 2> kinds;  // extrapolation, interpolation; made when they are needed
   std::array<Slot, kSlots> slots;
-  SerialExecutor executor;  // of the motion filter and the HUD
-  std::unique_ptr<MotionFilter> filter;
-  MotionBuffer filtered;
+  SerialExecutor executor;  // of the HUD
 
   int columns, table, generated;  // images
-  int keys;                       // on the device
+  int keys, camera;               // on the device
   int table_bytes, generated_bytes;
 };
 
@@ -108,6 +106,7 @@ void GpuFrameGeneration::State::AddResources() {
     slot.color = image(true, conventions.color_format);
     slot.depth = image(true, TexelFormat::kR32F);
     slot.motion = image(true, conventions.motion_format);
+    slot.filtered = image(FiltersMotion(options), kFilteredMotionFormat);
     slot.codes = image(Encodes(), texels);
     slot.coefficients = image(filters, texels);
     slot.color_bytes = gpu->AddBufferOf(slot.color);
@@ -120,6 +119,7 @@ void GpuFrameGeneration::State::AddResources() {
   table_bytes = gpu->AddBufferOf(table);
   generated_bytes = gpu->AddBufferOf(generated);
   keys = gpu->AddBuffer({SplatKeyBytes(options), true});
+  camera = AddCameraBuffer(*gpu);
   gpu->Allocate();
   const std::vector<float> nodes = TableTexels(options.warp);
   std::memcpy(gpu->BytesOf(table_bytes), nodes.data(), nodes.size() * sizeof(float));
@@ -128,7 +128,13 @@ void GpuFrameGeneration::State::AddResources() {
 void GpuFrameGeneration::State::AddSharedPasses() {
   std::vector<PrefilterPasses::Images> filtering;
   for (const Slot& slot : slots) filtering.push_back({Samples(slot), columns, slot.coefficients});
-  filter_passes = PrefilterPasses(prefilter, options.width, options.height, filtering, *gpu);
+  prefilter_passes = PrefilterPasses(prefilter, options.width, options.height, filtering, *gpu);
+  if (FiltersMotion(options)) {
+    std::vector<MotionFilterPasses::Images> moving;
+    for (const Slot& slot : slots) moving.push_back({slot.depth, slot.motion, slot.filtered});
+    motion_passes =
+        MotionFilterPasses(options.motion_filter_limit, conventions, camera, moving, *gpu);
+  }
   if (!Encodes()) return;
   PassPlan plan = {.name = "encode",
                    .shader = Shader::kEncode,
@@ -173,7 +179,8 @@ std::vector<std::vector<Binding>> GpuFrameGeneration::State::Sets(bool generates
     std::vector<Binding>& set = sets.emplace_back();
     set.push_back(Buffer(keys));
     set.push_back(Stored(generated));
-    for (const auto member : {&Slot::depth, &Slot::motion}) {
+    for (const auto member :
+         {&Slot::depth, FiltersMotion(options) ? &Slot::filtered : &Slot::motion}) {
       set.push_back(Sampled(frame0.*member));
       set.push_back(Sampled(frame1.*member));
     }
@@ -211,17 +218,6 @@ std::size_t GpuFrameGeneration::State::Find(const DisplayedFrame& frame, bool ne
   return kSlots;
 }
 
-MotionView GpuFrameGeneration::State::Filtered(const DisplayedFrame& frame) {
-  if (!FiltersMotion(options)) return frame.motion;
-  if (filter == nullptr) {
-    filter = std::make_unique<MotionFilter>(options.width, options.height,
-                                            MotionFilterOptions{options.motion_filter_limit});
-    filtered = MotionBuffer(options.width, options.height);
-  }
-  filter->Apply(frame.depth, frame.motion, executor, filtered.view());
-  return static_cast<const MotionBuffer&>(filtered).view();
-}
-
 void GpuFrameGeneration::State::Upload(const DisplayedFrame& frame, Slot& slot) {
   slot.id = frame.id;
   slot.has_color = frame.color.data != nullptr;
@@ -229,7 +225,7 @@ void GpuFrameGeneration::State::Upload(const DisplayedFrame& frame, Slot& slot) 
     PackColor(frame.color, conventions.color_format, gpu->BytesOf(slot.color_bytes));
   }
   PackDepth(frame.depth, gpu->BytesOf(slot.depth_bytes));
-  PackMotion(Filtered(frame), conventions.motion_format, gpu->BytesOf(slot.motion_bytes));
+  PackMotion(frame.motion, conventions.motion_format, gpu->BytesOf(slot.motion_bytes));
 }
 
 // What is made of a frame once, however many are generated from it.
@@ -237,18 +233,19 @@ void GpuFrameGeneration::State::RecordFrame(std::size_t slot) {
   const Slot& s = slots[slot];
   gpu->CopyToImage(s.depth_bytes, s.depth);
   gpu->CopyToImage(s.motion_bytes, s.motion);
+  motion_passes.Record(slot, *gpu);
   if (!s.has_color) return;
   gpu->CopyToImage(s.color_bytes, s.color);
   const GenerationNumbers unused = {};
   gpu->Record(encode, &unused, slot);
-  filter_passes.Record(slot, *gpu);
+  prefilter_passes.Record(slot, *gpu);
 }
 
 GenerationNumbers GpuFrameGeneration::State::NumbersOf(const DisplayedFrame& frame0,
                                                        float alpha) const {
   const generation::GenerationJob job{options, false, alpha, false, {}, {}, {}, {}};
   return {.output_size = {options.width, options.height},
-          .motion_scale = {conventions.motion_scale_x, conventions.motion_scale_y},
+          .motion_scale = FiltersMotion(options) ? GpuFloat2{1, 1} : MotionScaleOf(conventions),
           .depth_a = conventions.depth_a,
           .depth_b = conventions.depth_b,
           .depth_threshold = job.depth_threshold(),

@@ -31,10 +31,9 @@ class GpuFrameGeneration {
   static bool IsRunnable(const GpuDevice& device, const FrameGenerationOptions& options,
                          std::string* why = nullptr);
 
-  // Runnable options; `format` is kRgba16F or kRgba32F, that of codes, coefficients and generated
-  // frames. The table is copied. The motion filter runs on the processor, before the upload; with
-  // it the conventions must be the default ones, without it valid ones. The device outlives the
-  // object. A GpuError where memory cannot be had.
+  // Runnable options and valid conventions; `format` is kRgba16F or kRgba32F, that of codes,
+  // coefficients and generated frames. The table is copied. The device outlives the object. A
+  // GpuError where memory cannot be had.
   GpuFrameGeneration(const GpuDevice& device, const FrameGenerationOptions& options,
                      PixelFormat format, const InputConventions& conventions = {});
   ~GpuFrameGeneration();

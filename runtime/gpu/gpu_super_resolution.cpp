@@ -6,6 +6,7 @@
 
 #include "runtime/gpu/frame_numbers.h"
 #include "runtime/gpu/gpu_filter.h"
+#include "runtime/gpu/gpu_motion_filter.h"
 #include "runtime/gpu/image_transfer.h"
 #include "runtime/motion_filter.h"
 #include "runtime/sr/reference.h"
@@ -23,7 +24,6 @@ struct GpuSuperResolution::State {
   void Prepare();
   std::vector<std::int32_t> Constants() const;
   FrameNumbers NumbersOf(const RenderedFrame& frame) const;
-  MotionView Filtered(const RenderedFrame& frame);
   void Upload(const RenderedFrame& frame);
   void Record();
   void Process(const RenderedFrame& frame, const MutableImageView& out);
@@ -37,10 +37,8 @@ struct GpuSuperResolution::State {
   bool makes_geometry;
   Prefilter prefilter;
   std::unique_ptr<GpuWorkspace> gpu;
-  PrefilterPasses filter_passes;
-  SerialExecutor executor;  // of the motion filter
-  std::unique_ptr<MotionFilter> filter;
-  MotionBuffer filtered;
+  PrefilterPasses prefilter_passes;
+  MotionFilterPasses motion_passes;
   ImageBuffer geometry_depth;  // where there is geometry
   MotionBuffer geometry_motion;
   FrameNumbers numbers = {};  // of the last frame
@@ -48,10 +46,11 @@ struct GpuSuperResolution::State {
   bool has_history = false, is_cut = true;
 
   // Images.
-  int color, depth, motion, history, columns, coefficients, table, box_low, box_high, nearest,
-      farthest, predicted, residual, variances, smoothing, shown, output_depth, output_motion;
+  int color, depth, motion, filtered, history, columns, coefficients, table, box_low, box_high,
+      nearest, farthest, predicted, residual, variances, smoothing, shown, output_depth,
+      output_motion;
   // Buffers.
-  int color_bytes, depth_bytes, motion_bytes, table_bytes, shown_bytes, output_depth_bytes,
+  int camera, color_bytes, depth_bytes, motion_bytes, table_bytes, shown_bytes, output_depth_bytes,
       output_motion_bytes;
   // Passes; -1 where the options do without.
   int samples = -1, predict = -1, difference = -1, smooth = -1, update = -1, depth_range = -1,
@@ -83,6 +82,7 @@ void GpuSuperResolution::State::AddResources() {
   color = image(true, conventions.color_format, rw, rh);
   depth = image(ReadsMotion(options), TexelFormat::kR32F, rw, rh);
   motion = image(ReadsMotion(options), conventions.motion_format, rw, rh);
+  filtered = image(FiltersMotion(options), kFilteredMotionFormat, rw, rh);
   history = image(true, format, ow, oh);
   columns = image(HasPrefilter(prefilter), format, ow, oh);
   coefficients = image(HasPrefilter(prefilter), format, ow, oh);
@@ -99,6 +99,7 @@ void GpuSuperResolution::State::AddResources() {
   output_motion = image(makes_geometry, TexelFormat::kRgba32F, ow, oh);
   table = AddTableImage(options.warp, *gpu);
 
+  camera = AddCameraBuffer(*gpu);
   color_bytes = gpu->AddBufferOf(color);
   depth_bytes = gpu->AddBufferOf(depth);
   motion_bytes = gpu->AddBufferOf(motion);
@@ -144,12 +145,17 @@ int GpuSuperResolution::State::AddPass(const char* name, Shader shader,
 void GpuSuperResolution::State::AddPasses() {
   const int rw = options.render_width, rh = options.render_height;
   const int ow = options.output_width, oh = options.output_height;
-  filter_passes = PrefilterPasses(prefilter, ow, oh, {{history, columns, coefficients}}, *gpu);
+  prefilter_passes = PrefilterPasses(prefilter, ow, oh, {{history, columns, coefficients}}, *gpu);
+  if (FiltersMotion(options)) {
+    motion_passes = MotionFilterPasses(MotionFilterOptions{}.limit, conventions, camera,
+                                       {{depth, motion, filtered}}, *gpu);
+  }
+  const int moved = FiltersMotion(options) ? filtered : motion;
   samples = AddPass("samples", Shader::kSamples, {box_low, box_high}, {color}, rw, rh);
   predict = AddPass(
       "predict", Shader::kPredict, {predicted},
-      {color, depth, motion, history, coefficients, table, box_low, box_high, nearest, farthest},
-      ow, oh);
+      {color, depth, moved, history, coefficients, table, box_low, box_high, nearest, farthest}, ow,
+      oh);
   if (HasResidual(options)) {
     difference = AddPass("residual", Shader::kResidual, {residual, variances}, {color, predicted},
                          rw, rh, kAliasingTile);
@@ -165,8 +171,8 @@ void GpuSuperResolution::State::AddPasses() {
     depth_range = AddPass("depth range", Shader::kDepthRange, {nearest, farthest}, {depth}, rw, rh);
   }
   if (makes_geometry) {
-    geometry = AddPass("geometry", Shader::kGeometry, {output_depth, output_motion},
-                       {depth, motion}, ow, oh);
+    geometry = AddPass("geometry", Shader::kGeometry, {output_depth, output_motion}, {depth, moved},
+                       ow, oh);
     geometry_depth = ImageBuffer(ow, oh, PixelFormat::kR32F);
     geometry_motion = MotionBuffer(ow, oh);
   }
@@ -189,7 +195,7 @@ FrameNumbers GpuSuperResolution::State::NumbersOf(const RenderedFrame& frame) co
       .output_size = {options.output_width, options.output_height},
       .jitter = {frame.jitter_x, frame.jitter_y},
       .jitter_before = {jitter_x_before, jitter_y_before},
-      .motion_scale = {conventions.motion_scale_x, conventions.motion_scale_y},
+      .motion_scale = FiltersMotion(options) ? GpuFloat2{1, 1} : MotionScaleOf(conventions),
       .depth_a = conventions.depth_a,
       .depth_b = conventions.depth_b,
       .depth_threshold = p.sr_depth_threshold,
@@ -206,22 +212,11 @@ FrameNumbers GpuSuperResolution::State::NumbersOf(const RenderedFrame& frame) co
       .has_history = has_history && !frame.cut ? 1 : 0};
 }
 
-MotionView GpuSuperResolution::State::Filtered(const RenderedFrame& frame) {
-  if (!FiltersMotion(options)) return frame.motion;
-  if (filter == nullptr) {
-    filter = std::make_unique<MotionFilter>(options.render_width, options.render_height,
-                                            MotionFilterOptions{});
-    filtered = MotionBuffer(options.render_width, options.render_height);
-  }
-  filter->Apply(frame.depth, frame.motion, executor, filtered.view());
-  return static_cast<const MotionBuffer&>(filtered).view();
-}
-
 void GpuSuperResolution::State::Upload(const RenderedFrame& frame) {
   PackColor(frame.color, conventions.color_format, gpu->BytesOf(color_bytes));
   if (!ReadsMotion(options)) return;
   PackDepth(frame.depth, gpu->BytesOf(depth_bytes));
-  PackMotion(Filtered(frame), conventions.motion_format, gpu->BytesOf(motion_bytes));
+  PackMotion(frame.motion, conventions.motion_format, gpu->BytesOf(motion_bytes));
 }
 
 // The order of the passes.
@@ -231,7 +226,8 @@ void GpuSuperResolution::State::Record() {
     gpu->CopyToImage(depth_bytes, depth);
     gpu->CopyToImage(motion_bytes, motion);
   }
-  if (numbers.has_history != 0) filter_passes.Record(0, *gpu);
+  if (numbers.has_history != 0) prefilter_passes.Record(0, *gpu);
+  motion_passes.Record(0, *gpu);
   for (const int pass : {samples, predict, difference, smooth, update, depth_range})
     gpu->Record(pass, &numbers);
   gpu->CopyToBuffer(ShowsDecoded() ? shown : history, shown_bytes);

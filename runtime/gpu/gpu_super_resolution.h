@@ -22,10 +22,9 @@ class GpuSuperResolution {
   static bool IsRunnable(const GpuDevice& device, const SuperResolutionOptions& options,
                          std::string* why = nullptr);
 
-  // Runnable options. The table is copied. The motion filter runs on the processor, before the
-  // upload; with it the conventions must be the default ones, without it valid ones.
-  // `makes_geometry`: Geometry will be called, which takes 20 bytes per output pixel. The device
-  // outlives the object. A GpuError where memory or a shader cannot be had.
+  // Runnable options and valid conventions. The table is copied. `makes_geometry`: Geometry will be
+  // called, which takes 20 bytes per output pixel. The device outlives the object. A GpuError where
+  // memory or a shader cannot be had.
   GpuSuperResolution(const GpuDevice& device, const SuperResolutionOptions& options,
                      const InputConventions& conventions = {}, bool makes_geometry = false);
   ~GpuSuperResolution();

@@ -14,6 +14,7 @@
 #include "runtime/generation/blend.h"
 #include "runtime/generation/motion/surface_before.h"
 #include "runtime/generation/motion/target_motion.h"
+#include "runtime/motion/camera_rounds.h"
 #include "runtime/motion/motion_split.h"
 #include "runtime/prefilter.h"
 #include "runtime/sr/aliasing.h"
@@ -105,6 +106,16 @@ void PrintAll() {
   Print("kLeastAliasing", kLeastAliasing);
   Print("kMostAliasing", kMostAliasing);
   Print("kAliasingTile", kAliasingTile);
+
+  Print("kCameraUnknowns", kCameraUnknowns);
+  Print("kCameraSamples", kCameraSamples);
+  Print("kLeastSamples", CameraFit::kLeastSamples);
+  Print("kCameraRounds", kCameraRounds);
+  Print("kHalvingRounds", kHalvingRounds);
+  Print("kLeastCut", static_cast<float>(kLeastCut));
+  Print("kNearMedians", static_cast<float>(kNearMedians));
+  Print("kNoiseToLimit", static_cast<float>(kNoiseToLimit));
+  Print("kLeastDepth", kLeastDepth);
 
   Print("kNanBits", std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN()));
   Print("kNoArrival", generation::SplatSource(generation::kNoSplat));

@@ -2,24 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "runtime/core/strict_math.h"
 #include "runtime/float_bits.h"
 #include "runtime/float_environment.h"
 #include "runtime/gates.h"
+#include "runtime/motion/camera_rounds.h"
 
 namespace warplut {
 namespace {
 
-constexpr int kUnknowns = 11;
-// Rounds after which the samples nearer than the median remain.
-constexpr int kHalvingRounds = 7;
-// The least cut, in pixels: below, motion is exact.
-constexpr double kLeastCut = 1e-4;
-// Inverse depth, in medians, at which a sample counts half.
-constexpr double kNear = 8;
 // Added to the unit diagonal of the scaled normal equations: coefficients that the frame does not
 // tell apart stay small.
 constexpr double kRidge = 1e-10;
@@ -33,7 +26,8 @@ Position PositionOf(int x, int y, int width, int height) {
           (2 * y + 1 - height) / static_cast<double>(width)};
 }
 
-CameraMotion::Vector Motion(const std::array<double, kUnknowns>& c, double u, double v, double g) {
+CameraMotion::Vector Motion(const std::array<double, kCameraUnknowns>& c, double u, double v,
+                            double g) {
   const double h = c[8] * u + c[9] * v + c[10] * g;
   return {(c[0] * u + c[1] * v + c[2] + c[3] * g + u * h) / (1 + h),
           (c[4] * u + c[5] * v + c[6] + c[7] * g + v * h) / (1 + h)};
@@ -41,8 +35,8 @@ CameraMotion::Vector Motion(const std::array<double, kUnknowns>& c, double u, do
 
 // The upper triangle and the right hand side of normal equations.
 struct NormalEquations {
-  double a[kUnknowns][kUnknowns] = {};
-  double b[kUnknowns] = {};
+  double a[kCameraUnknowns][kCameraUnknowns] = {};
+  double b[kCameraUnknowns] = {};
 
   // Adds the equation row . c = value, where row is zero but at `count` indices.
   void Add(const int* index, const double* row, int count, double value, double weight) {
@@ -54,12 +48,12 @@ struct NormalEquations {
   }
 
   // Cholesky decomposition of the equations scaled to a unit diagonal.
-  std::array<double, kUnknowns> Solution() const {
-    double scale[kUnknowns];
-    double l[kUnknowns][kUnknowns];
-    std::array<double, kUnknowns> x{};
-    for (int i = 0; i < kUnknowns; ++i) scale[i] = a[i][i] > 0 ? 1 / std::sqrt(a[i][i]) : 0;
-    for (int i = 0; i < kUnknowns; ++i) {
+  std::array<double, kCameraUnknowns> Solution() const {
+    double scale[kCameraUnknowns];
+    double l[kCameraUnknowns][kCameraUnknowns];
+    std::array<double, kCameraUnknowns> x{};
+    for (int i = 0; i < kCameraUnknowns; ++i) scale[i] = a[i][i] > 0 ? 1 / std::sqrt(a[i][i]) : 0;
+    for (int i = 0; i < kCameraUnknowns; ++i) {
       for (int j = 0; j <= i; ++j) {
         double sum = i == j ? 1 + kRidge : a[j][i] * scale[i] * scale[j];
         for (int k = 0; k < j; ++k) sum -= l[i][k] * l[j][k];
@@ -69,11 +63,11 @@ struct NormalEquations {
       for (int k = 0; k < i; ++k) sum -= l[i][k] * x[k];
       x[i] = sum / l[i][i];
     }
-    for (int i = kUnknowns - 1; i >= 0; --i) {
-      for (int k = i + 1; k < kUnknowns; ++k) x[i] -= l[k][i] * x[k];
+    for (int i = kCameraUnknowns - 1; i >= 0; --i) {
+      for (int k = i + 1; k < kCameraUnknowns; ++k) x[i] -= l[k][i] * x[k];
       x[i] /= l[i][i];
     }
-    for (int i = 0; i < kUnknowns; ++i) x[i] *= scale[i];
+    for (int i = 0; i < kCameraUnknowns; ++i) x[i] *= scale[i];
     return x;
   }
 };
@@ -82,16 +76,6 @@ double Median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-// The distance of samples on a grid of at most kCameraSamples.
-int SampleStep(int width, int height) {
-  const auto fits = [&](int step) {
-    return std::int64_t{(width + step - 1) / step} * ((height + step - 1) / step) <= kCameraSamples;
-  };
-  int step = 1;
-  while (!fits(step)) ++step;
-  return step;
 }
 
 }  // namespace
@@ -107,7 +91,7 @@ CameraMotion::Vector CameraMotion::At(int x, int y, float inverse_depth, int wid
   return {m.x * width / 2, m.y * width / 2};
 }
 
-CameraFit::CameraFit(int width, int height) : step_(SampleStep(width, height)) {
+CameraFit::CameraFit(int width, int height) : step_(CameraSampleStep(width, height)) {
   samples_.reserve(kCameraSamples);
   sorted_.reserve(kCameraSamples);
 }
@@ -133,7 +117,7 @@ void CameraFit::Gather(const ImageView& depth, const MotionView& motion) {
   }
   const double middle = sorted_.empty() ? 1 : Median(sorted_);
   for (Sample& sample : samples_) {
-    const double nearness = sample.g / (kNear * middle);
+    const double nearness = sample.g / (kNearMedians * middle);
     sample.weight = 1 / (1 + nearness * nearness);
   }
 }

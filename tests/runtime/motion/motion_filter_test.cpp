@@ -6,11 +6,10 @@
 #include <cstring>
 #include <limits>
 #include <random>
-#include <vector>
 
 #include "runtime/gates.h"
-#include "runtime/image_buffer.h"
 #include "tests/image_difference.h"
+#include "tests/runtime/motion/camera_frame.h"
 
 namespace warplut {
 namespace {
@@ -18,55 +17,8 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// A frame whose pixels see random boxes at different depths under a moving camera.
-struct TestFrame {
-  TestFrame(int w, int h)
-      : width(w), height(h), depth(w, h, PixelFormat::kR32F), motion(w, h), truth(w, h) {}
-
-  static TestFrame UnderCamera(int w, int h, unsigned seed = 1) {
-    TestFrame frame(w, h);
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> unit(0, 1);
-    const CameraMotion camera = {
-        .c = {0.01, -0.02, 0.015, 0.0008, 0.02, 0.01, -0.01, 0.0003, 0.006, -0.004, 0.0002}};
-    for (int y = 0; y < h; ++y) {
-      for (int x = 0; x < w; ++x) {
-        const bool background = (x / 7 + y / 9) % 11 == 0;
-        frame.Depth(x, y) = background ? kFarthestDepth : 0.01f + 0.2f * unit(random);
-        const auto [mx, my] = camera.At(x, y, InverseDepth(frame.Depth(x, y)), w, h);
-        frame.Set(x, y, static_cast<float>(mx), static_cast<float>(my));
-      }
-    }
-    frame.CopyToTruth();
-    return frame;
-  }
-
-  float& Depth(int x, int y) { return depth.view().Row<float>(y)[x]; }
-  void Set(int x, int y, float mx, float my) {
-    motion.view().Row(y)[2 * x] = mx;
-    motion.view().Row(y)[2 * x + 1] = my;
-  }
-  void CopyToTruth() {
-    for (int y = 0; y < height; ++y) {
-      std::memcpy(truth.view().Row(y), motion.view().Row(y),
-                  sizeof(float) * 2 * static_cast<std::size_t>(width));
-    }
-  }
-  void Quantise(float step) {
-    for (int y = 0; y < height; ++y) {
-      for (int i = 0; i < 2 * width; ++i) {
-        float& m = motion.view().Row(y)[i];
-        m = std::round(m / step) * step;
-      }
-    }
-  }
-
-  int width, height;
-  ImageBuffer depth;
-  MotionBuffer motion, truth;
-};
-
-MotionBuffer Filtered(TestFrame& frame, const MotionFilterOptions& options = {}, int threads = 1) {
+MotionBuffer Filtered(CameraFrame& frame, const MotionFilterOptions& options = {},
+                      int threads = 1) {
   MotionBuffer out(frame.width, frame.height);
   MotionFilter filter(frame.width, frame.height, options);
   ThreadPool pool(threads);
@@ -85,12 +37,12 @@ bool SameBits(const MotionView& a, const MotionView& b) {
 }
 
 TEST(MotionFilter, LeavesExactMotionAsItIs) {
-  TestFrame frame = TestFrame::UnderCamera(160, 90);
+  CameraFrame frame = CameraFrame::UnderCamera(160, 90);
   EXPECT_LT(Compare(Filtered(frame).view(), frame.truth.view()).largest, 1e-4);
 }
 
 TEST(MotionFilter, LeavesMotionLinearInInverseDepthAsItIs) {
-  TestFrame frame = TestFrame::UnderCamera(96, 64);
+  CameraFrame frame = CameraFrame::UnderCamera(96, 64);
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 96; ++x) {
       const float g = InverseDepth(frame.Depth(x, y));
@@ -103,7 +55,7 @@ TEST(MotionFilter, LeavesMotionLinearInInverseDepthAsItIs) {
 
 TEST(MotionFilter, RecoversQuantisedMotion) {
   for (const float step : {0.25f, 1.0f}) {
-    TestFrame frame = TestFrame::UnderCamera(320, 180);
+    CameraFrame frame = CameraFrame::UnderCamera(320, 180);
     frame.Quantise(step);
     const double before = Compare(frame.motion.view(), frame.truth.view()).rms;
     const double after = Compare(Filtered(frame).view(), frame.truth.view()).rms;
@@ -113,7 +65,7 @@ TEST(MotionFilter, RecoversQuantisedMotion) {
 }
 
 TEST(MotionFilter, LeavesMovingObjectsToTheBit) {
-  TestFrame frame = TestFrame::UnderCamera(320, 180);
+  CameraFrame frame = CameraFrame::UnderCamera(320, 180);
   frame.Quantise(0.5f);
   const auto on_object = [](int x, int y) { return x >= 60 && x < 260 && y >= 30 && y < 130; };
   for (int y = 0; y < 180; ++y) {
@@ -136,7 +88,7 @@ TEST(MotionFilter, LeavesMovingObjectsToTheBit) {
 }
 
 TEST(MotionFilter, IsNotLedByNearPixelsThatMoveWithTheCamera) {
-  TestFrame frame = TestFrame::UnderCamera(320, 180);
+  CameraFrame frame = CameraFrame::UnderCamera(320, 180);
   frame.Quantise(0.5f);
   for (int y = 130; y < 180; ++y) {
     for (int x = 200; x < 300; ++x) {
@@ -150,7 +102,7 @@ TEST(MotionFilter, IsNotLedByNearPixelsThatMoveWithTheCamera) {
 }
 
 TEST(MotionFilter, ChangesByNoMoreThanTheLimit) {
-  TestFrame frame = TestFrame::UnderCamera(160, 90);
+  CameraFrame frame = CameraFrame::UnderCamera(160, 90);
   std::mt19937 random(7);
   std::uniform_real_distribution<float> noise(-3, 3);
   for (int y = 0; y < 90; ++y) {
@@ -165,7 +117,7 @@ TEST(MotionFilter, ChangesByNoMoreThanTheLimit) {
 }
 
 TEST(MotionFilter, CopiesWhatIsNotFiniteAndDoesNotFitIt) {
-  TestFrame frame = TestFrame::UnderCamera(160, 90);
+  CameraFrame frame = CameraFrame::UnderCamera(160, 90);
   frame.Quantise(0.5f);
   for (int y = 0; y < 90; ++y) {
     for (int x = 0; x < 160; x += 3) {
@@ -186,7 +138,7 @@ TEST(MotionFilter, CopiesWhatIsNotFiniteAndDoesNotFitIt) {
 }
 
 TEST(MotionFilter, TakesAnyDepth) {
-  TestFrame frame = TestFrame::UnderCamera(160, 90);
+  CameraFrame frame = CameraFrame::UnderCamera(160, 90);
   frame.Quantise(0.5f);
   const float odd[] = {kNan, kInfinity, -1.0f, 0.0f, -0.0f, 1e-30f, 2e30f};
   for (int i = 0; i < 7; ++i) frame.Depth(10 + i, 33) = odd[i];
@@ -200,7 +152,7 @@ TEST(MotionFilter, MatchesTheReferenceAtAnySize) {
   const int sizes[][2] = {{1, 1},  {1, 40},  {40, 1},   {3, 3},
                           {17, 5}, {33, 31}, {321, 97}, {130, 70}};
   for (const auto& [width, height] : sizes) {
-    TestFrame frame = TestFrame::UnderCamera(width, height);
+    CameraFrame frame = CameraFrame::UnderCamera(width, height);
     frame.Quantise(0.5f);
     MotionBuffer reference(width, height);
     MotionFilter::Reference(frame.depth.view(), frame.motion.view(), {}, reference.view());
@@ -211,7 +163,7 @@ TEST(MotionFilter, MatchesTheReferenceAtAnySize) {
 }
 
 TEST(MotionFilter, GivesTheSameBitsForAnyThreadsAndInPlace) {
-  TestFrame frame = TestFrame::UnderCamera(203, 117);
+  CameraFrame frame = CameraFrame::UnderCamera(203, 117);
   frame.Quantise(0.5f);
   const MotionBuffer one = Filtered(frame);
   for (const int threads : {2, 3, 8}) {
@@ -224,8 +176,8 @@ TEST(MotionFilter, GivesTheSameBitsForAnyThreadsAndInPlace) {
 }
 
 TEST(MotionFilter, KeepsNoStateBetweenFrames) {
-  TestFrame first = TestFrame::UnderCamera(96, 64, 1);
-  TestFrame second = TestFrame::UnderCamera(96, 64, 2);
+  CameraFrame first = CameraFrame::UnderCamera(96, 64, 1);
+  CameraFrame second = CameraFrame::UnderCamera(96, 64, 2);
   first.Quantise(0.5f);
   second.Quantise(0.25f);
   const MotionBuffer alone = Filtered(second);
@@ -250,7 +202,7 @@ TEST(MotionFilterOptions, NamesTheLimit) {
 }
 
 TEST(CameraFit, MeasuresTheNoise) {
-  TestFrame frame = TestFrame::UnderCamera(320, 180);
+  CameraFrame frame = CameraFrame::UnderCamera(320, 180);
   EXPECT_LT(CameraFit(320, 180).Fit(frame.depth.view(), frame.motion.view()).noise_x, 1e-4);
   frame.Quantise(0.5f);
   const CameraMotion camera = CameraFit(320, 180).Fit(frame.depth.view(), frame.motion.view());
@@ -259,7 +211,7 @@ TEST(CameraFit, MeasuresTheNoise) {
 }
 
 TEST(CameraFit, TakesOneDepthAndOneMotion) {
-  TestFrame frame(64, 48);
+  CameraFrame frame(64, 48);
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) {
       frame.Depth(x, y) = 0.5f;
@@ -273,7 +225,7 @@ TEST(CameraFit, TakesOneDepthAndOneMotion) {
 }
 
 TEST(CameraFit, NeedsEnoughPixels) {
-  TestFrame frame = TestFrame::UnderCamera(6, 6);
+  CameraFrame frame = CameraFrame::UnderCamera(6, 6);
   const CameraMotion camera = CameraFit(6, 6).Fit(frame.depth.view(), frame.motion.view());
   for (const double c : camera.c) EXPECT_EQ(c, 0);
   EXPECT_EQ(camera.noise_x, 0);

@@ -1,0 +1,58 @@
+#include "runtime/gpu/gpu_motion_filter.h"
+
+#include "runtime/motion/camera_rounds.h"
+
+namespace warplut {
+namespace {
+
+// Coefficients, and a limit for each axis.
+constexpr std::size_t kCameraFloats = kCameraUnknowns + 2;
+
+// constant_id of DEPTH_BUFFER in shaders/formulas.glsl; the passes read no other.
+constexpr std::size_t kDepthBufferConstant = 11;
+
+}  // namespace
+
+int AddCameraBuffer(GpuWorkspace& workspace) {
+  return workspace.AddBuffer({kCameraFloats * sizeof(float), true});
+}
+
+MotionFilterPasses::MotionFilterPasses(float limit, const InputConventions& conventions, int camera,
+                                       const std::vector<Images>& sets, GpuWorkspace& workspace) {
+  std::vector<std::int32_t> constants(kDepthBufferConstant, 0);
+  constants.push_back(conventions.depth_buffer ? 1 : 0);
+  PassPlan plan = {.name = "camera",
+                   .shader = Shader::kCamera,
+                   .constants = constants,
+                   .sets = {},
+                   .numbers_bytes = sizeof(MotionFilterNumbers),
+                   .width = 1,
+                   .height = 1};
+  for (const Images& images : sets)
+    plan.sets.push_back({Buffer(camera), Sampled(images.depth), Sampled(images.motion)});
+  camera_ = workspace.AddPass(plan);
+  const ImagePlan& image = workspace.image(sets.front().motion);
+  plan.name = "motion filter";
+  plan.shader = Shader::kMotionFilter;
+  plan.width = image.width;
+  plan.height = image.height;
+  plan.sets.clear();
+  for (const Images& images : sets) {
+    plan.sets.push_back(
+        {Buffer(camera), Stored(images.filtered), Sampled(images.depth), Sampled(images.motion)});
+  }
+  filter_ = workspace.AddPass(plan);
+  numbers_ = {.size = {image.width, image.height},
+              .motion_scale = {conventions.motion_scale_x, conventions.motion_scale_y},
+              .depth_a = conventions.depth_a,
+              .depth_b = conventions.depth_b,
+              .limit = limit,
+              .sample_step = CameraSampleStep(image.width, image.height)};
+}
+
+void MotionFilterPasses::Record(std::size_t set, GpuWorkspace& workspace) const {
+  workspace.Record(camera_, &numbers_, set);
+  workspace.Record(filter_, &numbers_, set);
+}
+
+}  // namespace warplut
