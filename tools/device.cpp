@@ -31,9 +31,8 @@ class OpenedGpu final : public ModeDevice {
       : device_(OpenGpuDevice(ApiOf(name))), modes_(name, *device_) {}
 
   const std::string& name() const override { return modes_.name(); }
-  bool IsRunnable(const SuperResolutionOptions& options, bool varies,
-                  std::string* why) const override {
-    return modes_.IsRunnable(options, varies, why);
+  bool IsRunnable(const SuperResolutionOptions& options, std::string* why) const override {
+    return modes_.IsRunnable(options, why);
   }
   bool IsRunnable(const FrameGenerationOptions& options, std::string* why) const override {
     return modes_.IsRunnable(options, why);

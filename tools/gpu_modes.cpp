@@ -1,14 +1,10 @@
 #include "tools/gpu_modes.h"
 
-#include "datasets/error.h"
 #include "runtime/gpu/gpu_frame_generation.h"
 #include "runtime/gpu/gpu_super_resolution.h"
 
 namespace warplut {
 namespace {
-
-constexpr const char* kOneRenderSize =
-    "the render size varies; the GPU has super resolution of one size";
 
 class SuperResolutionOnGpu final : public SuperResolutionPasses {
  public:
@@ -20,7 +16,7 @@ class SuperResolutionOnGpu final : public SuperResolutionPasses {
     passes_.Process(frame, out);
   }
   OutputGeometry Geometry() override { return passes_.Geometry(); }
-  void SetRenderSize(int, int) override { throw Error(kOneRenderSize); }
+  void SetRenderSize(int width, int height) override { passes_.SetRenderSize(width, height); }
 
  private:
   GpuSuperResolution passes_;
@@ -47,12 +43,7 @@ class FrameGenerationOnGpu final : public FrameGenerationPasses {
 
 }  // namespace
 
-bool GpuModes::IsRunnable(const SuperResolutionOptions& options, bool varies,
-                          std::string* why) const {
-  if (varies) {
-    *why = kOneRenderSize;
-    return false;
-  }
+bool GpuModes::IsRunnable(const SuperResolutionOptions& options, std::string* why) const {
   return GpuSuperResolution::IsRunnable(device_, options, why);
 }
 

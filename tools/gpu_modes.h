@@ -14,8 +14,7 @@ class GpuModes final : public ModeDevice {
   GpuModes(std::string name, const GpuDevice& device) : name_(std::move(name)), device_(device) {}
 
   const std::string& name() const override { return name_; }
-  bool IsRunnable(const SuperResolutionOptions& options, bool varies,
-                  std::string* why) const override;
+  bool IsRunnable(const SuperResolutionOptions& options, std::string* why) const override;
   bool IsRunnable(const FrameGenerationOptions& options, std::string* why) const override;
   std::unique_ptr<SuperResolutionPasses> MakeSuperResolution(const SuperResolutionOptions& options,
                                                              bool makes_geometry) override;

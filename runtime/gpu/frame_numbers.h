@@ -1,4 +1,5 @@
-// The push constants of the shaders, in their layout (std430).
+// The push constants of the shaders, in their layout (std430). A uniform block, which they are in
+// OpenGL ES, is a multiple of 16 bytes.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ inline GpuFloat2 MotionScaleOf(const InputConventions& conventions) {
 
 // As in shaders/super_resolution.glsl.
 struct FrameNumbers {
-  GpuInt2 render_size, output_size;
+  GpuInt2 render_size, output_size, render_size_before;
   GpuFloat2 jitter, jitter_before;
   GpuFloat2 motion_scale;
   float depth_a, depth_b;
@@ -26,8 +27,9 @@ struct FrameNumbers {
   float gate_width, settled_distance, least_step, residual_slack;
   float filter_parameter, most_smoothing, variance_unit;
   std::int32_t has_history;
+  GpuInt2 padding;
 };
-static_assert(sizeof(FrameNumbers) == 96);
+static_assert(sizeof(FrameNumbers) == 112);
 
 // As in shaders/generation.glsl.
 struct GenerationNumbers {
@@ -51,7 +53,7 @@ struct MotionFilterNumbers {
 };
 static_assert(sizeof(MotionFilterNumbers) == 32);
 
-// As in shaders/warp.comp; a uniform block is a multiple of 16 bytes.
+// As in shaders/warp.comp.
 struct WarpNumbers {
   GpuInt2 output_size;
   float filter_parameter, padding;

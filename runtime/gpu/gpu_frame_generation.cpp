@@ -233,7 +233,7 @@ void GpuFrameGeneration::State::RecordFrame(std::size_t slot) {
   const Slot& s = slots[slot];
   gpu->CopyToImage(s.depth_bytes, s.depth);
   gpu->CopyToImage(s.motion_bytes, s.motion);
-  motion_passes.Record(slot, *gpu);
+  motion_passes.Record(slot, options.width, options.height, *gpu);
   if (!s.has_color) return;
   gpu->CopyToImage(s.color_bytes, s.color);
   const GenerationNumbers unused = {};

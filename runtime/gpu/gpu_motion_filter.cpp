@@ -42,17 +42,22 @@ MotionFilterPasses::MotionFilterPasses(float limit, const InputConventions& conv
         {Buffer(camera), Stored(images.filtered), Sampled(images.depth), Sampled(images.motion)});
   }
   filter_ = workspace.AddPass(plan);
-  numbers_ = {.size = {image.width, image.height},
+  numbers_ = {.size = {0, 0},
               .motion_scale = {conventions.motion_scale_x, conventions.motion_scale_y},
               .depth_a = conventions.depth_a,
               .depth_b = conventions.depth_b,
               .limit = limit,
-              .sample_step = CameraSampleStep(image.width, image.height)};
+              .sample_step = 0};
 }
 
-void MotionFilterPasses::Record(std::size_t set, GpuWorkspace& workspace) const {
-  workspace.Record(camera_, &numbers_, set);
-  workspace.Record(filter_, &numbers_, set);
+void MotionFilterPasses::Record(std::size_t set, int width, int height,
+                                GpuWorkspace& workspace) const {
+  if (camera_ < 0) return;
+  MotionFilterNumbers numbers = numbers_;
+  numbers.size = {width, height};
+  numbers.sample_step = CameraSampleStep(width, height);
+  workspace.Record(camera_, &numbers, set);
+  workspace.RecordGrid(filter_, &numbers, set, width, height);
 }
 
 }  // namespace warplut

@@ -29,8 +29,8 @@ class MotionFilterPasses {
   MotionFilterPasses(float limit, const InputConventions& conventions, int camera,
                      const std::vector<Images>& sets, GpuWorkspace& workspace);
 
-  // Nothing where there are no passes.
-  void Record(std::size_t set, GpuWorkspace& workspace) const;
+  // The first width x height pixels of the images. Nothing where there are no passes.
+  void Record(std::size_t set, int width, int height, GpuWorkspace& workspace) const;
 
  private:
   int camera_ = -1, filter_ = -1;

@@ -41,10 +41,6 @@ bool Holds(const GpuDevice& device, int width, int height, PixelFormat format, s
 bool GpuSuperResolution::IsRunnable(const GpuDevice& device, const SuperResolutionOptions& options,
                                     std::string* why) {
   if (options.peer != nullptr) return Refused(kNoPeers, why);
-  if (options.reactive) {
-    return Refused("the options have a reactive mask; the GPU has super resolution without one",
-                   why);
-  }
   const PixelFormat format = HistoryFormatOf(options);
   if (format != PixelFormat::kRgba16F && format != PixelFormat::kRgba32F) {
     return Refused(

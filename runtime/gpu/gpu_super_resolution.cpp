@@ -9,6 +9,7 @@
 #include "runtime/gpu/gpu_motion_filter.h"
 #include "runtime/gpu/image_transfer.h"
 #include "runtime/motion_filter.h"
+#include "runtime/sr/frame_check.h"
 #include "runtime/sr/reference.h"
 
 namespace warplut {
@@ -26,13 +27,18 @@ struct GpuSuperResolution::State {
   FrameNumbers NumbersOf(const RenderedFrame& frame) const;
   void Upload(const RenderedFrame& frame);
   void Record();
+  // A pass of the render grid.
+  void RecordRendered(int pass) {
+    gpu->RecordGrid(pass, &numbers, 0, options.render_width, options.render_height);
+  }
   void Process(const RenderedFrame& frame, const MutableImageView& out);
   OutputGeometry Geometry();
 
   int AddPass(const char* name, Shader shader, const std::vector<int>& stored,
               const std::vector<int>& sampled, int width, int height, int group = 8);
 
-  SuperResolutionOptions options;
+  SuperResolutionOptions options;     // with the render size of the next frame
+  const int most_width, most_height;  // of rendered frames
   InputConventions conventions;
   bool makes_geometry;
   Prefilter prefilter;
@@ -42,24 +48,27 @@ struct GpuSuperResolution::State {
   ImageBuffer geometry_depth;  // where there is geometry
   MotionBuffer geometry_motion;
   FrameNumbers numbers = {};  // of the last frame
+  GpuInt2 render_size_before = {1, 1};
   float jitter_x_before = 0, jitter_y_before = 0;
   bool has_history = false, is_cut = true;
 
   // Images.
   int color, depth, motion, filtered, history, columns, coefficients, table, box_low, box_high,
-      nearest, farthest, predicted, residual, variances, smoothing, shown, output_depth,
-      output_motion;
+      nearest, farthest, reactive, reach, predicted, residual, variances, smoothing, shown,
+      output_depth, output_motion;
   // Buffers.
-  int camera, color_bytes, depth_bytes, motion_bytes, table_bytes, shown_bytes, output_depth_bytes,
-      output_motion_bytes;
+  int camera, color_bytes, depth_bytes, motion_bytes, reactive_bytes, table_bytes, shown_bytes,
+      output_depth_bytes, output_motion_bytes;
   // Passes; -1 where the options do without.
   int samples = -1, predict = -1, difference = -1, smooth = -1, update = -1, depth_range = -1,
-      geometry = -1;
+      reactive_reach = -1, geometry = -1;
 };
 
 GpuSuperResolution::State::State(const GpuDevice& device, const SuperResolutionOptions& chosen,
                                  const InputConventions& stored, bool gives_geometry)
     : options(chosen),
+      most_width(chosen.render_width),
+      most_height(chosen.render_height),
       conventions(stored),
       makes_geometry(gives_geometry),
       prefilter(PrefiltersHistory(chosen) ? PrefilterOf(chosen.warp) : Prefilter{}),
@@ -90,6 +99,8 @@ void GpuSuperResolution::State::AddResources() {
   box_high = image(true, format, rw, rh);
   nearest = image(gates, TexelFormat::kR32F, rw, rh);
   farthest = image(gates, TexelFormat::kR32F, rw, rh);
+  reactive = image(ReadsReactive(options), conventions.reactive_format, rw, rh);
+  reach = image(ReadsReactive(options), TexelFormat::kR32F, rw, rh);
   predicted = image(true, format, ow, oh);
   residual = image(HasResidual(options), format, rw, rh);
   variances = image(HasResidual(options), TexelFormat::kR32F, tiles_x, tiles_y);
@@ -103,6 +114,7 @@ void GpuSuperResolution::State::AddResources() {
   color_bytes = gpu->AddBufferOf(color);
   depth_bytes = gpu->AddBufferOf(depth);
   motion_bytes = gpu->AddBufferOf(motion);
+  reactive_bytes = gpu->AddBufferOf(reactive);
   table_bytes = gpu->AddBufferOf(table);
   shown_bytes = gpu->AddBufferOf(history);
   output_depth_bytes = gpu->AddBufferOf(output_depth);
@@ -121,6 +133,7 @@ std::vector<std::int32_t> GpuSuperResolution::State::Constants() const {
                                          number(KeepsHistory(options))};
   AppendFilterConstants(options.warp, HasPrefilter(prefilter), &constants);
   constants.push_back(number(conventions.depth_buffer));
+  constants.push_back(number(ReadsReactive(options)));
   return constants;
 }
 
@@ -152,10 +165,10 @@ void GpuSuperResolution::State::AddPasses() {
   }
   const int moved = FiltersMotion(options) ? filtered : motion;
   samples = AddPass("samples", Shader::kSamples, {box_low, box_high}, {color}, rw, rh);
-  predict = AddPass(
-      "predict", Shader::kPredict, {predicted},
-      {color, depth, moved, history, coefficients, table, box_low, box_high, nearest, farthest}, ow,
-      oh);
+  predict = AddPass("predict", Shader::kPredict, {predicted},
+                    {color, depth, moved, history, coefficients, table, box_low, box_high, nearest,
+                     farthest, reactive, reach},
+                    ow, oh);
   if (HasResidual(options)) {
     difference = AddPass("residual", Shader::kResidual, {residual, variances}, {color, predicted},
                          rw, rh, kAliasingTile);
@@ -169,6 +182,9 @@ void GpuSuperResolution::State::AddPasses() {
                    {color, predicted, residual, smoothing}, ow, oh);
   if (DepthOf(options) != DepthMeasure::kNone) {
     depth_range = AddPass("depth range", Shader::kDepthRange, {nearest, farthest}, {depth}, rw, rh);
+  }
+  if (ReadsReactive(options)) {
+    reactive_reach = AddPass("reactive reach", Shader::kReactiveReach, {reach}, {reactive}, rw, rh);
   }
   if (makes_geometry) {
     geometry = AddPass("geometry", Shader::kGeometry, {output_depth, output_motion}, {depth, moved},
@@ -193,6 +209,7 @@ FrameNumbers GpuSuperResolution::State::NumbersOf(const RenderedFrame& frame) co
   return {
       .render_size = {options.render_width, options.render_height},
       .output_size = {options.output_width, options.output_height},
+      .render_size_before = render_size_before,
       .jitter = {frame.jitter_x, frame.jitter_y},
       .jitter_before = {jitter_x_before, jitter_y_before},
       .motion_scale = FiltersMotion(options) ? GpuFloat2{1, 1} : MotionScaleOf(conventions),
@@ -209,11 +226,20 @@ FrameNumbers GpuSuperResolution::State::NumbersOf(const RenderedFrame& frame) co
       .filter_parameter = FilterParameterOf(options.warp),
       .most_smoothing = MostSmoothing(area),
       .variance_unit = CodeContrast(encoding) * CodeContrast(encoding),
-      .has_history = has_history && !frame.cut ? 1 : 0};
+      .has_history = has_history && !frame.cut ? 1 : 0,
+      .padding = {}};
 }
 
 void GpuSuperResolution::State::Upload(const RenderedFrame& frame) {
   PackColor(frame.color, conventions.color_format, gpu->BytesOf(color_bytes));
+  if (ReadsReactive(options)) {
+    std::byte* texels = gpu->BytesOf(reactive_bytes);
+    if (frame.reactive.data != nullptr) {
+      PackReactive(frame.reactive, conventions.reactive_format, texels);
+    } else {
+      std::memset(texels, 0, gpu->buffer(reactive_bytes).size);
+    }
+  }
   if (!ReadsMotion(options)) return;
   PackDepth(frame.depth, gpu->BytesOf(depth_bytes));
   PackMotion(frame.motion, conventions.motion_format, gpu->BytesOf(motion_bytes));
@@ -221,15 +247,22 @@ void GpuSuperResolution::State::Upload(const RenderedFrame& frame) {
 
 // The order of the passes.
 void GpuSuperResolution::State::Record() {
-  gpu->CopyToImage(color_bytes, color);
+  const int rw = options.render_width, rh = options.render_height;
+  gpu->CopyToCorner(color_bytes, color, rw, rh);
   if (ReadsMotion(options)) {
-    gpu->CopyToImage(depth_bytes, depth);
-    gpu->CopyToImage(motion_bytes, motion);
+    gpu->CopyToCorner(depth_bytes, depth, rw, rh);
+    gpu->CopyToCorner(motion_bytes, motion, rw, rh);
   }
+  if (ReadsReactive(options)) gpu->CopyToCorner(reactive_bytes, reactive, rw, rh);
   if (numbers.has_history != 0) prefilter_passes.Record(0, *gpu);
-  motion_passes.Record(0, *gpu);
-  for (const int pass : {samples, predict, difference, smooth, update, depth_range})
-    gpu->Record(pass, &numbers);
+  motion_passes.Record(0, rw, rh, *gpu);
+  RecordRendered(samples);
+  gpu->Record(predict, &numbers);
+  RecordRendered(difference);
+  gpu->RecordGrid(smooth, &numbers, 0, TileCount(rw, kAliasingTile), TileCount(rh, kAliasingTile));
+  gpu->Record(update, &numbers);
+  RecordRendered(depth_range);
+  RecordRendered(reactive_reach);
   gpu->CopyToBuffer(ShowsDecoded() ? shown : history, shown_bytes);
 }
 
@@ -238,6 +271,7 @@ void GpuSuperResolution::State::Process(const RenderedFrame& frame, const Mutabl
   numbers = NumbersOf(frame);
   gpu->Run([&] { Record(); });
   UnpackColor(gpu->BytesOf(shown_bytes), HistoryFormatOf(options), out);
+  render_size_before = numbers.render_size;
   jitter_x_before = frame.jitter_x;
   jitter_y_before = frame.jitter_y;
   is_cut = frame.cut || !has_history;
@@ -266,6 +300,16 @@ GpuSuperResolution::~GpuSuperResolution() = default;
 
 void GpuSuperResolution::Process(const RenderedFrame& frame, const MutableImageView& out) {
   state_->Process(frame, out);
+}
+
+void GpuSuperResolution::SetRenderSize(int width, int height) {
+  state_->options.render_width = width;
+  state_->options.render_height = height;
+}
+
+bool GpuSuperResolution::IsRenderSize(int width, int height, std::string* why) const {
+  return IsRenderSizeOf(state_->options, width, height, state_->most_width, state_->most_height,
+                        why);
 }
 
 void GpuSuperResolution::Reset() { state_->has_history = false; }

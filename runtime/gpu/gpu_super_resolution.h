@@ -17,8 +17,8 @@ namespace warplut {
 class GpuSuperResolution {
  public:
   // Whether the GPU has passes for the options, whose IsValid holds: a history in RGBA16F or
-  // RGBA32F, and no reactive mask. Also false where the device cannot hold the images. *why (if not
-  // null) is a sentence.
+  // RGBA32F, and no peer. Also false where the device cannot hold the images. *why (if not null) is
+  // a sentence.
   static bool IsRunnable(const GpuDevice& device, const SuperResolutionOptions& options,
                          std::string* why = nullptr);
 
@@ -38,6 +38,11 @@ class GpuSuperResolution {
   // Depth and motion of the last frame on the output grid, as SuperResolution::Geometry: one pass
   // more, at each call. The views end at the next call.
   OutputGeometry Geometry();
+
+  // As SuperResolution::SetRenderSize: the size of rendered frames from the next one on, for which
+  // IsRenderSize holds. The history is kept.
+  void SetRenderSize(int width, int height);
+  bool IsRenderSize(int width, int height, std::string* why = nullptr) const;
 
   // Forgets the history: the next frame is treated as a cut.
   void Reset();

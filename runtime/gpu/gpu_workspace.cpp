@@ -19,6 +19,15 @@ int GpuWorkspace::AddBuffer(const BufferPlan& plan) {
   return static_cast<int>(buffers_.size()) - 1;
 }
 
+void GpuWorkspace::Record(int pass, const void* numbers, std::size_t set) {
+  if (pass < 0) return;
+  RecordGrid(pass, numbers, set, PlanOf(pass).width, PlanOf(pass).height);
+}
+
+void GpuWorkspace::CopyToImage(int buffer, int image) {
+  CopyToCorner(buffer, image, this->image(image).width, this->image(image).height);
+}
+
 std::size_t GpuWorkspace::bytes() const {
   std::size_t bytes = 0;
   for (const ImagePlan& image : images_) bytes += image.bytes();

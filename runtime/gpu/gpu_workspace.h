@@ -46,11 +46,12 @@ struct PassPlan {
   // are stored to first, as OpenGL ES has few places for them. All sets have the same uses.
   std::vector<std::vector<Binding>> sets;
   std::size_t numbers_bytes = 0;  // of the push constants
-  int width = 0, height = 0;      // of the grid
+  int width = 0, height = 0;      // of the whole grid
   int group_width = 8, group_height = 8;
 
-  int groups_x() const { return (width + group_width - 1) / group_width; }
-  int groups_y() const { return (height + group_height - 1) / group_height; }
+  // Groups that cover a grid of that side.
+  int groups_x(int grid_width) const { return (grid_width + group_width - 1) / group_width; }
+  int groups_y(int grid_height) const { return (grid_height + group_height - 1) / group_height; }
 };
 
 struct PassTime {
@@ -85,9 +86,15 @@ class GpuWorkspace {
   // Runs what `record` records by the functions below, in their order, and waits for its end. A
   // GpuError if the device fails.
   virtual void Run(const std::function<void()>& record) = 0;
-  // A pass; nothing if it is negative. What it stored can be read by the next ones.
-  virtual void Record(int pass, const void* numbers, std::size_t set = 0) = 0;
-  virtual void CopyToImage(int buffer, int image) = 0;
+  // A pass over the first width x height pixels of its grid; nothing if it is negative. What it
+  // stored can be read by the next ones.
+  virtual void RecordGrid(int pass, const void* numbers, std::size_t set, int width,
+                          int height) = 0;
+  // Over its whole grid.
+  void Record(int pass, const void* numbers, std::size_t set = 0);
+  // The first width x height texels of an image, whose rows follow each other in the buffer.
+  virtual void CopyToCorner(int buffer, int image, int width, int height) = 0;
+  void CopyToImage(int buffer, int image);
   virtual void CopyToBuffer(int image, int buffer) = 0;
   // Every word of a buffer becomes `value`.
   virtual void FillBuffer(int buffer, std::uint32_t value) = 0;
@@ -99,6 +106,7 @@ class GpuWorkspace {
   GpuWorkspace() = default;
   const std::vector<ImagePlan>& images() const { return images_; }
   const std::vector<BufferPlan>& buffers() const { return buffers_; }
+  virtual const PassPlan& PlanOf(int pass) const = 0;
 
  private:
   std::vector<ImagePlan> images_;

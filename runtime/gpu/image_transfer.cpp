@@ -4,6 +4,7 @@
 
 #include "luts/half.h"
 #include "runtime/core/pixel.h"
+#include "runtime/sr/render_planes.h"
 
 namespace warplut {
 namespace {
@@ -65,6 +66,22 @@ void PackMotion(const MotionView& motion, TexelFormat format, std::byte* to) {
       } else {
         std::memcpy(to, from + i, sizeof(float));
         to += sizeof(float);
+      }
+    }
+  }
+}
+
+void PackReactive(const ImageView& mask, TexelFormat format, std::byte* to) {
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x, to += TexelBytes(format)) {
+      const float value = mask.Row<float>(y)[x];
+      if (format == TexelFormat::kR8) {
+        *to = static_cast<std::byte>(SanitizeReactive(value) * 255 + 0.5f);
+      } else if (format == TexelFormat::kR16F) {
+        const std::uint16_t half = FloatToHalf(value);
+        std::memcpy(to, &half, sizeof(half));
+      } else {
+        std::memcpy(to, &value, sizeof(value));
       }
     }
   }

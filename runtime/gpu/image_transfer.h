@@ -23,6 +23,8 @@ void PackColor(const ImageView& color, TexelFormat format, std::byte* to);
 void PackDepth(const ImageView& depth, std::byte* to);
 // Motion as rg32f or rg16f.
 void PackMotion(const MotionView& motion, TexelFormat format, std::byte* to);
+// A reactive mask as r32f, r16f or r8; r8 has [0, 1], and NaN is 0 there.
+void PackReactive(const ImageView& mask, TexelFormat format, std::byte* to);
 
 // Texels of RGBA16F or RGBA32F as an image.
 void UnpackColor(const std::byte* from, PixelFormat format, const MutableImageView& out);

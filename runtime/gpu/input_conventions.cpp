@@ -11,6 +11,10 @@ bool InputConventions::IsValid(std::string* why) const {
   } else if (motion_format != TexelFormat::kRg32F && motion_format != TexelFormat::kRg16F) {
     reason =
         std::string("the format of motion is ") + Name(motion_format) + "; expected rg32f or rg16f";
+  } else if (reactive_format != TexelFormat::kR32F && reactive_format != TexelFormat::kR16F &&
+             reactive_format != TexelFormat::kR8) {
+    reason = std::string("the format of the reactive mask is ") + Name(reactive_format) +
+             "; expected r32f, r16f or r8";
   }
   if (why != nullptr) *why = reason;
   return reason.empty();

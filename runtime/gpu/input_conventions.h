@@ -12,8 +12,10 @@ struct InputConventions {
   // them; an engine has its own images.
   //   color   rgba32f, rgba16f, rgba8, r11g11b10f
   //   motion  rg32f, rg16f
+  //   the reactive mask  r32f, r16f, r8
   TexelFormat color_format = TexelFormat::kRgba32F;
   TexelFormat motion_format = TexelFormat::kRg32F;
+  TexelFormat reactive_format = TexelFormat::kR32F;
   // From stored motion to pixels of its grid, from the frame before to this one, y down: (width,
   // height) for UV, half of it for NDC, with signs for the direction and for y up.
   float motion_scale_x = 1, motion_scale_y = 1;

@@ -8,20 +8,21 @@
 #include "runtime/image_view.h"
 
 // Every shader: its enumerator and the name of its file in runtime/gpu/shaders.
-#define WARPLUT_SHADERS(X)        \
-  X(kPrefilter, prefilter)        \
-  X(kCamera, camera)              \
-  X(kMotionFilter, motion_filter) \
-  X(kSamples, samples)            \
-  X(kPredict, predict)            \
-  X(kResidual, residual)          \
-  X(kAliasing, aliasing)          \
-  X(kUpdate, update)              \
-  X(kDepthRange, depth_range)     \
-  X(kGeometry, geometry)          \
-  X(kEncode, encode)              \
-  X(kSplat, splat)                \
-  X(kGenerate, generate)          \
+#define WARPLUT_SHADERS(X)          \
+  X(kPrefilter, prefilter)          \
+  X(kCamera, camera)                \
+  X(kMotionFilter, motion_filter)   \
+  X(kSamples, samples)              \
+  X(kPredict, predict)              \
+  X(kResidual, residual)            \
+  X(kAliasing, aliasing)            \
+  X(kUpdate, update)                \
+  X(kReactiveReach, reactive_reach) \
+  X(kDepthRange, depth_range)       \
+  X(kGeometry, geometry)            \
+  X(kEncode, encode)                \
+  X(kSplat, splat)                  \
+  X(kGenerate, generate)            \
   X(kWarp, warp)
 
 namespace warplut {

@@ -10,6 +10,8 @@ namespace warplut {
 
 // Channels in their order in memory; kR11G11B10F has red in the lowest bits of a 32-bit word.
 enum class TexelFormat : std::uint8_t {
+  kR8,
+  kR16F,
   kR32F,
   kRg16F,
   kRg32F,
@@ -18,7 +20,7 @@ enum class TexelFormat : std::uint8_t {
   kRgba32F,
   kR11G11B10F
 };
-inline constexpr int kTexelFormats = 7;
+inline constexpr int kTexelFormats = 9;
 
 // Bytes of a texel.
 std::size_t TexelBytes(TexelFormat format);

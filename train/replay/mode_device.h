@@ -38,10 +38,8 @@ class ModeDevice {
   virtual ~ModeDevice() = default;
   // As --device takes it.
   virtual const std::string& name() const = 0;
-  // Whether the device has passes for valid options; otherwise *why is a sentence. `varies`:
-  // SetRenderSize will be called.
-  virtual bool IsRunnable(const SuperResolutionOptions& options, bool varies,
-                          std::string* why) const = 0;
+  // Whether the device has passes for valid options; otherwise *why is a sentence.
+  virtual bool IsRunnable(const SuperResolutionOptions& options, std::string* why) const = 0;
   virtual bool IsRunnable(const FrameGenerationOptions& options, std::string* why) const = 0;
   // For runnable options. `makes_geometry`: Geometry will be called.
   virtual std::unique_ptr<SuperResolutionPasses> MakeSuperResolution(
@@ -58,7 +56,7 @@ class ProcessorDevice final : public ModeDevice {
   explicit ProcessorDevice(Executor& executor) : executor_(executor) {}
 
   const std::string& name() const override;
-  bool IsRunnable(const SuperResolutionOptions&, bool, std::string*) const override { return true; }
+  bool IsRunnable(const SuperResolutionOptions&, std::string*) const override { return true; }
   bool IsRunnable(const FrameGenerationOptions&, std::string*) const override { return true; }
   std::unique_ptr<SuperResolutionPasses> MakeSuperResolution(const SuperResolutionOptions& options,
                                                              bool makes_geometry) override;

@@ -55,8 +55,7 @@ std::string WhyDeviceIsUnfit(const Clip& clip, const ModeRunOptions& options) {
   std::string reason;
   if (options.device == nullptr) return reason;
   if (options.method->super_resolution) {
-    options.device->IsRunnable(EffectiveSuperResolution(clip, options), !clip.render_sizes.empty(),
-                               &reason);
+    options.device->IsRunnable(EffectiveSuperResolution(clip, options), &reason);
   }
   if (reason.empty() && WarpsFrames(*options.method)) {
     options.device->IsRunnable(EffectiveGeneration(clip, options), &reason);

@@ -23,6 +23,10 @@ struct GlesFormat {
 
 GlesFormat FormatOf(TexelFormat format) {
   switch (format) {
+    case TexelFormat::kR8:
+      return {GL_R8, GL_RED, GL_UNSIGNED_BYTE};
+    case TexelFormat::kR16F:
+      return {GL_R16F, GL_RED, GL_HALF_FLOAT};
     case TexelFormat::kR32F:
       return {GL_R32F, GL_RED, GL_FLOAT};
     case TexelFormat::kRg16F:
@@ -149,7 +153,8 @@ void GlesWorkspace::Run(const std::function<void()>& record) {
   device_.Check("to run a frame");
 }
 
-void GlesWorkspace::Record(int pass, const void* numbers, std::size_t set) {
+void GlesWorkspace::RecordGrid(int pass, const void* numbers, std::size_t set, int width,
+                               int height) {
   if (pass < 0) return;
   const GlesApi& gl = device_.gl();
   const Pass& recorded = passes_[static_cast<std::size_t>(pass)];
@@ -165,7 +170,8 @@ void GlesWorkspace::Record(int pass, const void* numbers, std::size_t set) {
     gl.GenQueriesEXT(1, &timed.query);
     gl.BeginQueryEXT(GL_TIME_ELAPSED_EXT, timed.query);
   }
-  gl.DispatchCompute(static_cast<GLuint>(plan.groups_x()), static_cast<GLuint>(plan.groups_y()), 1);
+  gl.DispatchCompute(static_cast<GLuint>(plan.groups_x(width)),
+                     static_cast<GLuint>(plan.groups_y(height)), 1);
   if (device_.has_times()) gl.EndQueryEXT(GL_TIME_ELAPSED_EXT);
   run_.push_back(timed);
   gl.MemoryBarrier(kAfterPass);
@@ -205,7 +211,7 @@ void GlesWorkspace::ReadTimes() {
   run_.clear();
 }
 
-void GlesWorkspace::CopyToImage(int buffer, int image) {
+void GlesWorkspace::CopyToCorner(int buffer, int image, int width, int height) {
   const GlesApi& gl = device_.gl();
   const ImagePlan& plan = this->image(image);
   const GlesFormat format = FormatOf(plan.format);
@@ -213,11 +219,10 @@ void GlesWorkspace::CopyToImage(int buffer, int image) {
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(target, textures_[static_cast<std::size_t>(image)]);
   if (plan.layers > 0) {
-    gl.TexSubImage3D(target, 0, 0, 0, 0, plan.width, plan.height, plan.layers, format.channels,
-                     format.type, BytesOf(buffer));
-  } else {
-    gl.TexSubImage2D(target, 0, 0, 0, plan.width, plan.height, format.channels, format.type,
+    gl.TexSubImage3D(target, 0, 0, 0, 0, width, height, plan.layers, format.channels, format.type,
                      BytesOf(buffer));
+  } else {
+    gl.TexSubImage2D(target, 0, 0, 0, width, height, format.channels, format.type, BytesOf(buffer));
   }
 }
 

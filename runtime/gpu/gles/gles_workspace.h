@@ -20,8 +20,8 @@ class GlesWorkspace final : public GpuWorkspace {
   }
   int AddPass(const PassPlan& plan) override;
   void Run(const std::function<void()>& record) override;
-  void Record(int pass, const void* numbers, std::size_t set) override;
-  void CopyToImage(int buffer, int image) override;
+  void RecordGrid(int pass, const void* numbers, std::size_t set, int width, int height) override;
+  void CopyToCorner(int buffer, int image, int width, int height) override;
   void CopyToBuffer(int image, int buffer) override;
   void FillBuffer(int buffer, std::uint32_t value) override;
   std::vector<PassTime> Times() const override { return times_; }
@@ -36,6 +36,9 @@ class GlesWorkspace final : public GpuWorkspace {
     GLuint query;
   };
 
+  const PassPlan& PlanOf(int pass) const override {
+    return passes_[static_cast<std::size_t>(pass)].plan;
+  }
   void CreateTexture(const ImagePlan& plan, GLuint texture) const;
   GLuint MakeSampler(GLenum filter) const;
   void Bind(const Binding& binding, GLuint place) const;

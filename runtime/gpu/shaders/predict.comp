@@ -15,26 +15,41 @@ layout(binding = 7) uniform sampler2D box_low;
 layout(binding = 8) uniform sampler2D box_high;
 layout(binding = 9) uniform sampler2D nearest_before;
 layout(binding = 10) uniform sampler2D farthest_before;
+layout(binding = 11) uniform sampler2D reactive;
+layout(binding = 12) uniform sampler2D reactive_before;
 #include "surface.glsl"
 
 vec4 WarpedTexel(sampler2D image, ivec2 p) { return texelFetch(image, p, 0); }
 #include "warp.glsl"
 
-// How much of the history counts, in [0, 1].
-float ValidityAt(ivec2 p, Surface surface, vec2 output_motion) {
-  vec2 before = vec2(p) + 0.5 - output_motion;
+// The sample of the frame before at or before a position of the output grid.
+ivec2 CellBefore(vec2 position) {
+  vec2 inverse_scale = vec2(frame.render_size_before) / vec2(frame.output_size);
+  vec2 u = position * inverse_scale - 0.5 - frame.jitter_before;
+  return ivec2(clamp(u, vec2(0.0), vec2(frame.render_size_before - 1)));
+}
+
+// How much of the history counts by the depth, in [0, 1]; `before` is where it comes from.
+float ValidityAt(vec2 before, float depth) {
   bool inside = before.x >= 0.0 && before.x <= float(frame.output_size.x) && before.y >= 0.0 &&
                 before.y <= float(frame.output_size.y);
   if (!HISTORY || frame.has_history == 0 || !inside) return 0.0;
   if (DEPTH == kDepthMeasureNone) return 1.0;
-  vec2 inverse_scale = vec2(frame.render_size) / vec2(frame.output_size);
-  vec2 u = before * inverse_scale - 0.5 - frame.jitter_before;
-  ivec2 cell = ivec2(clamp(u, vec2(0.0), vec2(frame.render_size - 1)));
+  ivec2 cell = CellBefore(before);
   float near = texelFetch(nearest_before, cell, 0).r;
   float far = texelFetch(farthest_before, cell, 0).r;
-  float farther = DepthDifference(surface.depth, clamp(surface.depth, near, far));
+  float farther = DepthDifference(depth, clamp(depth, near, far));
   if (DEPTH == kDepthMeasureAbsolute) farther = abs(farther);
   return Gate(farther, frame.depth_threshold, frame.gate_width);
+}
+
+// How reactive an output pixel is: the greatest of the four samples around it, and of what the frame
+// before left where the history comes from.
+float ReactiveAt(ivec2 cell, vec2 before) {
+  float greatest = texelFetch(reactive_before, CellBefore(before), 0).r;
+  for (int k = 0; k < 4; ++k)
+    greatest = max(greatest, LoadReactive(reactive, cell + ivec2(k & 1, k >> 1)));
+  return greatest;
 }
 
 // The current frame alone.
@@ -74,7 +89,9 @@ void main() {
   Surface surface = SurfaceAt(x, y);
   vec2 scale = vec2(frame.output_size) / vec2(frame.render_size);
   vec2 output_motion = surface.motion * scale;
-  float validity = ValidityAt(p, surface, output_motion);
+  vec2 before = vec2(p) + 0.5 - output_motion;
+  float validity = ValidityAt(before, surface.depth);
+  if (REACTIVE && validity > 0.0) validity *= 1.0 - ReactiveAt(ivec2(x.cell, y.cell), before);
   vec3 result = vec3(0.0);
   if (validity < 1.0) result = CurrentFrameAt(x, y);
   if (validity > 0.0) {

@@ -8,11 +8,13 @@ layout(constant_id = 1) const int CLAMP = kColorClampVariance;
 layout(constant_id = 3) const int MOTION = kMotionUpsamplingEdgeAware;
 layout(constant_id = 4) const int CURRENT = kCurrentFrameBilinear;
 layout(constant_id = 6) const bool HISTORY = true;
+layout(constant_id = 12) const bool REACTIVE = false;
 
 // Numbers of one frame: struct FrameNumbers (runtime/gpu/frame_numbers.h).
 layout(push_constant) uniform FrameNumbers {
   ivec2 render_size;
   ivec2 output_size;
+  ivec2 render_size_before;
   vec2 jitter;  // render pixels
   vec2 jitter_before;
   vec2 motion_scale;  // from the motion image to render pixels, previous to current, y down
@@ -104,6 +106,12 @@ vec2 LoadMotion(sampler2D image, ivec2 p) {
   p = clamp(p, ivec2(0), frame.render_size - 1);
   vec2 m = texelFetch(image, p, 0).xy;
   return IsFinite(m.x) && IsFinite(m.y) ? m * frame.motion_scale : vec2(kNoMotion, 0.0);
+}
+
+// In [0, 1]; NaN is 0.
+float LoadReactive(sampler2D image, ivec2 p) {
+  float r = texelFetch(image, clamp(p, ivec2(0), frame.render_size - 1), 0).r;
+  return r > 0.0 && !IsNan(r) ? min(r, 1.0) : 0.0;
 }
 
 // runtime/gates.h.

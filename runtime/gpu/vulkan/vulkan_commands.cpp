@@ -38,15 +38,15 @@ void ChangeUse(VkCommandBuffer commands, const VulkanImage& image, const ImageUs
                        &barrier);
 }
 
-VkBufferImageCopy WholeImage(const VulkanImage& image) {
-  return {.bufferOffset = 0,
-          .bufferRowLength = 0,
-          .bufferImageHeight = 0,
-          .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0,
-                               static_cast<std::uint32_t>(std::max(image.plan.layers, 1))},
-          .imageOffset = {0, 0, 0},
-          .imageExtent = {static_cast<std::uint32_t>(image.plan.width),
-                          static_cast<std::uint32_t>(image.plan.height), 1}};
+VkBufferImageCopy Corner(const VulkanImage& image, int width, int height) {
+  return {
+      .bufferOffset = 0,
+      .bufferRowLength = 0,
+      .bufferImageHeight = 0,
+      .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0,
+                           static_cast<std::uint32_t>(std::max(image.plan.layers, 1))},
+      .imageOffset = {0, 0, 0},
+      .imageExtent = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 1}};
 }
 
 }  // namespace
@@ -138,8 +138,9 @@ void PrepareImage(VkCommandBuffer commands, const VulkanImage& image) {
   ChangeUse(commands, image, kNew, kByShaders);
 }
 
-void CopyToImage(VkCommandBuffer commands, const VulkanBuffer& from, const VulkanImage& to) {
-  const VkBufferImageCopy copy = WholeImage(to);
+void CopyToImage(VkCommandBuffer commands, const VulkanBuffer& from, const VulkanImage& to,
+                 int width, int height) {
+  const VkBufferImageCopy copy = Corner(to, width, height);
   ChangeUse(commands, to, kByShaders, kCopiedTo);
   vkCmdCopyBufferToImage(commands, from.buffer, to.image, kCopiedTo.layout, 1, &copy);
   ChangeUse(commands, to, kCopiedTo, kByShaders);
@@ -161,7 +162,7 @@ void FillBuffer(VkCommandBuffer commands, const VulkanBuffer& buffer, std::uint3
 }
 
 void CopyToBuffer(VkCommandBuffer commands, const VulkanImage& from, const VulkanBuffer& to) {
-  const VkBufferImageCopy copy = WholeImage(from);
+  const VkBufferImageCopy copy = Corner(from, from.plan.width, from.plan.height);
   ChangeUse(commands, from, kByShaders, kCopiedFrom);
   vkCmdCopyImageToBuffer(commands, from.image, kCopiedFrom.layout, to.buffer, 1, &copy);
   ChangeUse(commands, from, kCopiedFrom, kByShaders);

@@ -36,8 +36,10 @@ class VulkanCommands {
 
 // From layout UNDEFINED to GENERAL, in which images are between the calls below.
 void PrepareImage(VkCommandBuffer commands, const VulkanImage& image);
-// Afterwards shaders can read the image.
-void CopyToImage(VkCommandBuffer commands, const VulkanBuffer& from, const VulkanImage& to);
+// The first width x height texels, which shaders can read afterwards. In the buffer rows of `width`
+// follow each other.
+void CopyToImage(VkCommandBuffer commands, const VulkanBuffer& from, const VulkanImage& to,
+                 int width, int height);
 // Every word of the buffer becomes `value`, which shaders can read then.
 void FillBuffer(VkCommandBuffer commands, const VulkanBuffer& buffer, std::uint32_t value);
 // Results that shaders stored. The processor can read the buffer when the commands ended.

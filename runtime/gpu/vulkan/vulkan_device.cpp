@@ -83,6 +83,10 @@ void CheckVulkan(VkResult result, const std::string& what) {
 
 VkFormat VulkanFormat(TexelFormat format) {
   switch (format) {
+    case TexelFormat::kR8:
+      return VK_FORMAT_R8_UNORM;
+    case TexelFormat::kR16F:
+      return VK_FORMAT_R16_SFLOAT;
     case TexelFormat::kR32F:
       return VK_FORMAT_R32_SFLOAT;
     case TexelFormat::kRg16F:

@@ -21,15 +21,11 @@ VkDescriptorType TypeOf(Binding::Use use) {
 VulkanPass::VulkanPass(const VulkanDevice& device, const VulkanResources& resources,
                        const PassPlan& plan, std::span<const std::uint32_t> spirv,
                        const VulkanSamplers& samplers)
-    : device_(device),
-      name_(plan.name),
-      numbers_bytes_(plan.numbers_bytes),
-      groups_x_(static_cast<std::uint32_t>(plan.groups_x())),
-      groups_y_(static_cast<std::uint32_t>(plan.groups_y())) {
+    : device_(device), plan_(plan) {
   try {
-    CreateLayouts(plan);
-    CreatePipeline(plan, spirv);
-    CreateSets(plan);
+    CreateLayouts();
+    CreatePipeline(spirv);
+    CreateSets();
     for (std::size_t i = 0; i < sets_.size(); ++i)
       WriteSet(resources, plan.sets[i], sets_[i], samplers);
   } catch (...) {
@@ -48,9 +44,9 @@ void VulkanPass::Destroy() {
   vkDestroyDescriptorSetLayout(device, set_layout_, nullptr);
 }
 
-void VulkanPass::CreateLayouts(const PassPlan& plan) {
+void VulkanPass::CreateLayouts() {
   std::vector<VkDescriptorSetLayoutBinding> bindings;
-  const std::vector<Binding>& first = plan.sets.front();
+  const std::vector<Binding>& first = plan_.sets.front();
   for (std::size_t i = 0; i < first.size(); ++i) {
     bindings.push_back({static_cast<std::uint32_t>(i), TypeOf(first[i].use), 1,
                         VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
@@ -62,9 +58,9 @@ void VulkanPass::CreateLayouts(const PassPlan& plan) {
       .bindingCount = static_cast<std::uint32_t>(bindings.size()),
       .pBindings = bindings.data()};
   CheckVulkan(vkCreateDescriptorSetLayout(device_.handle(), &set, nullptr, &set_layout_),
-              std::string("to lay out the pass ") + name_);
+              std::string("to lay out the pass ") + plan_.name);
   const VkPushConstantRange range = {VK_SHADER_STAGE_COMPUTE_BIT, 0,
-                                     static_cast<std::uint32_t>(numbers_bytes_)};
+                                     static_cast<std::uint32_t>(plan_.numbers_bytes)};
   const VkPipelineLayoutCreateInfo layout = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                              .pNext = nullptr,
                                              .flags = 0,
@@ -73,10 +69,10 @@ void VulkanPass::CreateLayouts(const PassPlan& plan) {
                                              .pushConstantRangeCount = 1,
                                              .pPushConstantRanges = &range};
   CheckVulkan(vkCreatePipelineLayout(device_.handle(), &layout, nullptr, &layout_),
-              std::string("to lay out the pass ") + name_);
+              std::string("to lay out the pass ") + plan_.name);
 }
 
-void VulkanPass::CreatePipeline(const PassPlan& plan, std::span<const std::uint32_t> spirv) {
+void VulkanPass::CreatePipeline(std::span<const std::uint32_t> spirv) {
   const VkShaderModuleCreateInfo module_info = {
       .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
       .pNext = nullptr,
@@ -85,13 +81,13 @@ void VulkanPass::CreatePipeline(const PassPlan& plan, std::span<const std::uint3
       .pCode = spirv.data()};
   VkShaderModule module = VK_NULL_HANDLE;
   CheckVulkan(vkCreateShaderModule(device_.handle(), &module_info, nullptr, &module),
-              std::string("to take the shader of the pass ") + name_);
+              std::string("to take the shader of the pass ") + plan_.name);
   std::vector<VkSpecializationMapEntry> entries;
-  for (std::uint32_t i = 0; i < plan.constants.size(); ++i)
+  for (std::uint32_t i = 0; i < plan_.constants.size(); ++i)
     entries.push_back({i, i * 4, sizeof(std::int32_t)});
   const VkSpecializationInfo specialization = {
       static_cast<std::uint32_t>(entries.size()), entries.data(),
-      plan.constants.size() * sizeof(std::int32_t), plan.constants.data()};
+      plan_.constants.size() * sizeof(std::int32_t), plan_.constants.data()};
   const VkPipelineShaderStageCreateInfo stage = {
       .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
       .pNext = nullptr,
@@ -110,12 +106,12 @@ void VulkanPass::CreatePipeline(const PassPlan& plan, std::span<const std::uint3
   const VkResult result =
       vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
   vkDestroyShaderModule(device_.handle(), module, nullptr);
-  CheckVulkan(result, std::string("to compile the pass ") + name_);
+  CheckVulkan(result, std::string("to compile the pass ") + plan_.name);
 }
 
-void VulkanPass::CreateSets(const PassPlan& plan) {
-  const auto sets = static_cast<std::uint32_t>(plan.sets.size());
-  const auto count = sets * static_cast<std::uint32_t>(plan.sets.front().size());
+void VulkanPass::CreateSets() {
+  const auto sets = static_cast<std::uint32_t>(plan_.sets.size());
+  const auto count = sets * static_cast<std::uint32_t>(plan_.sets.front().size());
   const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count},
                                         {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count},
                                         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count}};
@@ -166,13 +162,15 @@ void VulkanPass::WriteSet(const VulkanResources& resources, const std::vector<Bi
   }
 }
 
-void VulkanPass::Record(VkCommandBuffer commands, const void* numbers, std::size_t set) const {
+void VulkanPass::Record(VkCommandBuffer commands, const void* numbers, std::size_t set, int width,
+                        int height) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 1, &sets_[set], 0,
                           nullptr);
   vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
-                     static_cast<std::uint32_t>(numbers_bytes_), numbers);
-  vkCmdDispatch(commands, groups_x_, groups_y_, 1);
+                     static_cast<std::uint32_t>(plan_.numbers_bytes), numbers);
+  vkCmdDispatch(commands, static_cast<std::uint32_t>(plan_.groups_x(width)),
+                static_cast<std::uint32_t>(plan_.groups_y(height)), 1);
   // The next passes read results of this one, or overwrite its inputs.
   const VkMemoryBarrier barrier = {
       .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,

@@ -27,23 +27,22 @@ class VulkanPass {
   VulkanPass(const VulkanPass&) = delete;
   VulkanPass& operator=(const VulkanPass&) = delete;
 
-  const char* name() const { return name_; }
+  const PassPlan& plan() const { return plan_; }
 
-  // Records the dispatch, and a barrier after which what it stored can be read.
-  void Record(VkCommandBuffer commands, const void* numbers, std::size_t set = 0) const;
+  // Records the dispatch over a grid, and a barrier after which what it stored can be read.
+  void Record(VkCommandBuffer commands, const void* numbers, std::size_t set, int width,
+              int height) const;
 
  private:
-  void CreateLayouts(const PassPlan& plan);
-  void CreatePipeline(const PassPlan& plan, std::span<const std::uint32_t> spirv);
-  void CreateSets(const PassPlan& plan);
+  void CreateLayouts();
+  void CreatePipeline(std::span<const std::uint32_t> spirv);
+  void CreateSets();
   void WriteSet(const VulkanResources& resources, const std::vector<Binding>& bindings,
                 VkDescriptorSet set, const VulkanSamplers& samplers);
   void Destroy();
 
   const VulkanDevice& device_;
-  const char* name_;
-  std::size_t numbers_bytes_;
-  std::uint32_t groups_x_, groups_y_;
+  const PassPlan plan_;
   VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
   VkPipeline pipeline_ = VK_NULL_HANDLE;

@@ -64,17 +64,19 @@ void VulkanWorkspace::Run(const std::function<void()>& record) {
 }
 
 // Each time is from the end of the pass before, or of what came before the first.
-void VulkanWorkspace::Record(int pass, const void* numbers, std::size_t set) {
+void VulkanWorkspace::RecordGrid(int pass, const void* numbers, std::size_t set, int width,
+                                 int height) {
   if (pass < 0) return;
   if (run_.empty()) commands_.Timestamp(recorded_);
   const VulkanPass& recorded = *passes_[static_cast<std::size_t>(pass)];
-  recorded.Record(recorded_, numbers, set);
+  recorded.Record(recorded_, numbers, set, width, height);
   commands_.Timestamp(recorded_);
-  run_.push_back(recorded.name());
+  run_.push_back(recorded.plan().name);
 }
 
-void VulkanWorkspace::CopyToImage(int buffer, int image) {
-  warplut::CopyToImage(recorded_, resources_->buffer(buffer), resources_->image(image));
+void VulkanWorkspace::CopyToCorner(int buffer, int image, int width, int height) {
+  warplut::CopyToImage(recorded_, resources_->buffer(buffer), resources_->image(image), width,
+                       height);
 }
 
 void VulkanWorkspace::CopyToBuffer(int image, int buffer) {

@@ -19,13 +19,17 @@ class VulkanWorkspace final : public GpuWorkspace {
   std::byte* BytesOf(int buffer) override { return resources_->buffer(buffer).bytes; }
   int AddPass(const PassPlan& plan) override;
   void Run(const std::function<void()>& record) override;
-  void Record(int pass, const void* numbers, std::size_t set) override;
-  void CopyToImage(int buffer, int image) override;
+  void RecordGrid(int pass, const void* numbers, std::size_t set, int width, int height) override;
+  void CopyToCorner(int buffer, int image, int width, int height) override;
   void CopyToBuffer(int image, int buffer) override;
   void FillBuffer(int buffer, std::uint32_t value) override;
   std::vector<PassTime> Times() const override;
 
  private:
+  const PassPlan& PlanOf(int pass) const override {
+    return passes_[static_cast<std::size_t>(pass)]->plan();
+  }
+
   const VulkanDevice& device_;
   PixelFormat format_;
   VulkanSamplers samplers_;

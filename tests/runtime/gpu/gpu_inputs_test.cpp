@@ -91,6 +91,43 @@ TEST(InputConventions, RefusesFormatsThatItDoesNotList) {
   stored.color_format = TexelFormat::kRg16F;
   EXPECT_FALSE(stored.IsValid(&why));
   EXPECT_EQ(why, "the format of colour is rg16f; expected rgba32f, rgba16f, rgba8 or r11g11b10f");
+  stored = {};
+  stored.reactive_format = TexelFormat::kRgba8;
+  EXPECT_FALSE(stored.IsValid(&why));
+  EXPECT_EQ(why, "the format of the reactive mask is rgba8; expected r32f, r16f or r8");
+}
+
+// A reactive mask in every format, with values that all of them have; a frame may come without.
+TEST_F(GpuInputs, TakesReactiveMasksOfEveryFormat) {
+  SuperResolutionOptions options = InputOptions();
+  options.reactive = true;
+  ImageBuffer mask(kWidth, kHeight, PixelFormat::kR32F);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const float blocks[4] = {0, 51 / 255.0f, 1, 0};
+      mask.view().Row<float>(y)[x] = blocks[(x / 6 + 3 * (y / 5)) % 4];
+    }
+  }
+  const float broken[4] = {kNaN, -kInfinity, 2.5f, kInfinity};
+  for (int i = 0; i < kHeight; ++i) mask.view().Row<float>(i)[i] = broken[i % 4];
+  for (const TexelFormat format : {TexelFormat::kR32F, TexelFormat::kR16F, TexelFormat::kR8}) {
+    SerialExecutor executor;
+    SuperResolution cpu(options, executor);
+    GpuSuperResolution gpu(device(), options, {.reactive_format = format});
+    ImageBuffer expected = OutputOf(options), found = OutputOf(options);
+    TestFrame frame(kWidth, kHeight);
+    for (int i = 0; i < 5; ++i) {
+      frame.Randomise(static_cast<unsigned>(i));
+      RenderedFrame view = frame.View();
+      if (i != 3) view.reactive = mask.view();
+      cpu.Process(view, expected.view());
+      gpu.Process(view, found.view());
+      // A half has 11 bits of 51 / 255.
+      const GpuBound bound = format == TexelFormat::kR16F ? kGpuBound16 : kGpuBound32;
+      ExpectClose(found, expected, bound,
+                  std::string(Name(format)) + ", frame " + std::to_string(i));
+    }
+  }
 }
 
 // Depth and motion on the output grid are those of the processor, NaN where there is no motion.

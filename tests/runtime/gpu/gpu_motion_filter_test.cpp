@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "luts/half.h"
@@ -32,7 +33,7 @@ class GpuMotionFilter : public GpuTest {
     gpu->Run([&] {
       gpu->CopyToImage(depth, images.depth);
       gpu->CopyToImage(motion, images.motion);
-      passes.Record(0, *gpu);
+      passes.Record(0, frame.width, frame.height, *gpu);
       gpu->CopyToBuffer(images.filtered, filtered);
     });
     MotionBuffer out(frame.width, frame.height);
@@ -147,7 +148,8 @@ TEST_F(GpuMotionFilter, ConventionsAreConverted) {
       const float ndc_y = HalfToFloat(FloatToHalf(m[1] / conventions.motion_scale_y));
       stored.Set(x, y, ndc_x, ndc_y);
       frame.Set(x, y, ndc_x * conventions.motion_scale_x, ndc_y * conventions.motion_scale_y);
-      const double view = static_cast<double>(frame.Depth(x, y)) * 100;
+      // The background is at the far plane, whose depth is 0.
+      const double view = std::min(1.0, static_cast<double>(frame.Depth(x, y))) * 100;
       const auto z = static_cast<float>(0.1 * (100 - view) / (view * (100 - 0.1)));
       stored.Depth(x, y) = z;
       frame.Depth(x, y) = 1 / (conventions.depth_a + conventions.depth_b * z);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <random>
+#include <utility>
 
 #include "luts/baked/warplut_iir_x2.h"
 #include "luts/baked/warplut_t24_x2.h"
@@ -128,6 +130,114 @@ TEST_F(GpuSuperResolutionTest, BrokenInputAgrees) {
   Compare(
       kSize, [](auto& options) { options.motion = MotionUpsampling::kDilated; }, "broken, dilated",
       true);
+}
+
+// Blocks of values among some that no mask should have.
+ImageBuffer RandomMask(int width, int height, unsigned seed) {
+  ImageBuffer mask(width, height, PixelFormat::kR32F);
+  std::mt19937 random(seed);
+  const float broken[4] = {kNaN, kInfinity, -kInfinity, 2.5f};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto block = static_cast<unsigned>(x / 6 + 3 * (y / 5));
+      mask.view().Row<float>(y)[x] =
+          random() % 32 == 0 ? broken[random() % 4] : static_cast<float>(block * seed % 3) / 2;
+    }
+  }
+  return mask;
+}
+
+TEST_F(GpuSuperResolutionTest, ReactiveMasksAgree) {
+  for (const MotionUpsampling motion : {MotionUpsampling::kEdgeAware, MotionUpsampling::kStatic}) {
+    for (const HistoryForm form : {HistoryForm::kSample, HistoryForm::kAdaptive}) {
+      SuperResolutionOptions options = TestOptions(41, 23, 70, 46);
+      options.warp.filter = Filter::kCatmullRom;
+      options.history_format = PixelFormat::kRgba32F;
+      options.motion = motion;
+      options.form = form;
+      options.reactive = true;
+      SerialExecutor executor;
+      SuperResolution cpu(options, executor);
+      GpuSuperResolution gpu(device(), options);
+      options.reactive = false;
+      SuperResolution without(options, executor);
+      ImageBuffer expected = OutputOf(options), found = OutputOf(options);
+      ImageBuffer plain = OutputOf(options);
+      TestFrame frame(41, 23);
+      for (unsigned i = 0; i < 5; ++i) {
+        frame.Randomise(i, i == 2);
+        const ImageBuffer mask = RandomMask(41, 23, i + 1);
+        RenderedFrame view = frame.View();
+        without.Process(view, plain.view());
+        if (i != 3) view.reactive = mask.view();  // a frame may come without
+        cpu.Process(view, expected.view());
+        gpu.Process(view, found.view());
+        const std::string what =
+            std::string(Name(form)) + ", " + Name(motion) + ", frame " + std::to_string(i);
+        ExpectClose(found, expected, kGpuBound32, what);
+        // The mask counts.
+        if (i > 0) {
+          EXPECT_GT(Difference(plain, expected, 0).mean, 1e-3) << what;
+        }
+      }
+    }
+  }
+}
+
+// The share of pixels whose depths differ: a place between two samples may fall to either.
+double DifferingDepths(const OutputGeometry& a, const OutputGeometry& b) {
+  int differing = 0;
+  for (int y = 0; y < a.depth.height; ++y) {
+    for (int x = 0; x < a.depth.width; ++x)
+      differing += std::abs(a.depth.Row<float>(y)[x] - b.depth.Row<float>(y)[x]) > 1e-5f ? 1 : 0;
+  }
+  return static_cast<double>(differing) / (a.depth.width * a.depth.height);
+}
+
+// Dynamic resolution: sizes change from frame to frame, and the history is kept.
+TEST_F(GpuSuperResolutionTest, RenderSizesThatChangeAgree) {
+  for (const bool halves : {false, true}) {
+    SuperResolutionOptions options = TestOptions(72, 48, 96, 64);
+    options.warp.filter = Filter::kLut;
+    options.warp.table = &table_;
+    options.history_format = halves ? PixelFormat::kRgba16F : PixelFormat::kRgba32F;
+    options.reactive = options.motion_filter = true;
+    SerialExecutor executor;
+    SuperResolution cpu(options, executor);
+    GpuSuperResolution gpu(device(), options, {}, true);
+    ImageBuffer expected = OutputOf(options), found = OutputOf(options);
+    const int sizes[][2] = {{72, 48}, {48, 32}, {37, 29}, {37, 29}, {24, 16}, {71, 47}, {72, 48}};
+    unsigned seed = 0;
+    for (const auto& [width, height] : sizes) {
+      ASSERT_TRUE(gpu.IsRenderSize(width, height));
+      cpu.SetRenderSize(width, height);
+      gpu.SetRenderSize(width, height);
+      TestFrame frame(width, height);
+      ++seed;
+      frame.Randomise(seed, seed == 4);
+      const ImageBuffer mask = RandomMask(width, height, seed);
+      RenderedFrame view = frame.View();
+      view.reactive = mask.view();
+      cpu.Process(view, expected.view());
+      gpu.Process(view, found.view());
+      const std::string what = std::to_string(width) + " x " + std::to_string(height);
+      ExpectClose(found, expected, halves ? kGpuBound16 : kGpuBound32, what);
+      // The geometry stays that of the last frame when the next size is set.
+      gpu.SetRenderSize(24, 16);
+      cpu.SetRenderSize(24, 16);
+      EXPECT_LE(DifferingDepths(gpu.Geometry(), cpu.Geometry()), kGpuBound32.rare) << what;
+    }
+  }
+}
+
+TEST_F(GpuSuperResolutionTest, RenderSizesAreBounded) {
+  const GpuSuperResolution gpu(device(), TestOptions(72, 48, 96, 64));
+  std::string why;
+  EXPECT_TRUE(gpu.IsRenderSize(24, 16, &why)) << why;
+  for (const auto& [width, height] : {std::pair{73, 48}, {72, 49}, {23, 48}, {72, 15}}) {
+    EXPECT_FALSE(gpu.IsRenderSize(width, height, &why));
+    EXPECT_NE(why.find("24 x 16 to 72 x 48 was expected"), std::string::npos) << why;
+  }
 }
 
 // Linear HDR is compared as codes of the same bound: values are far apart where they are large.
