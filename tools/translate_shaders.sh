@@ -17,6 +17,7 @@ esac
 out=$1
 build=${2:-$(dirname "$0")/../build/release}
 shaders=$build/runtime/gpu/shaders
+essl_options=$(cat "$(dirname "$0")/../runtime/gpu/gles/essl_options.txt")
 for tool in spirv-cross spirv-val spirv-opt glslangValidator; do
   if ! command -v "$tool" > /dev/null; then
     echo "SKIPPED: $tool is not installed"
@@ -46,7 +47,8 @@ for spv in "$shaders"/*.spv; do
   check spirv-val --target-env vulkan1.1 "$spv"
   check spirv-opt --target-env=vulkan1.1 -O "$spv" -o "$out/$name.spv"
   check spirv-val --target-env vulkan1.1 "$out/$name.spv"
-  check spirv-cross "$spv" --es --version 310 --glsl-emit-push-constant-as-ubo --output "$out/$name.es310.comp"
+  # shellcheck disable=SC2086
+  check spirv-cross "$spv" $essl_options --output "$out/$name.es310.comp"
   check glslangValidator "$out/$name.es310.comp"
   check spirv-cross "$spv" --no-es --version 430 --glsl-emit-push-constant-as-ubo --output "$out/$name.gl430.comp"
   check glslangValidator "$out/$name.gl430.comp"

@@ -4,7 +4,7 @@
 
 #include "runtime/gpu/gles/gles_program.h"
 #include "runtime/gpu/gpu_frame_generation.h"
-#include "tests/runtime/gpu/gpu_fixture.h"
+#include "tests/runtime/gpu/gpu_example.h"
 
 namespace warplut {
 namespace {
@@ -50,6 +50,15 @@ TEST_F(GlesDeviceTest, AWrongCallIsOneSentence) {
     EXPECT_STREQ(error.what(), "the GPU failed to run a frame: OpenGL ES returned 1280");
   }
   ForgetMessages();
+}
+
+// Mesa plays an older version where it is told to.
+TEST_F(GlesDeviceTest, AnOlderVersionIsOneSentence) {
+  const Printed printed = OutputOf("MESA_GLES_VERSION_OVERRIDE=3.1 " + kGpuExample);
+  if (printed.code == 0) GTEST_SKIP() << "the driver is not Mesa's";
+  EXPECT_EQ(printed.code, 2);
+  EXPECT_EQ(printed.text,
+            "the OpenGL ES driver of this machine has not version 3.2, which was expected\n");
 }
 
 TEST_F(GlesDeviceTest, KeysThatTheDeviceCannotHoldAreRefused) {

@@ -1,7 +1,8 @@
 // The example for GPUs beside that for the processor, on the API of this program.
+#include "tests/runtime/gpu/gpu_example.h"
+
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -9,23 +10,6 @@
 
 namespace warplut {
 namespace {
-
-struct Printed {
-  std::string text;
-  int code = 0;
-};
-
-Printed OutputOf(const std::string& command) {
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  Printed printed;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
-    printed.text += static_cast<char>(c);
-  printed.code = WEXITSTATUS(pclose(pipe));
-  return printed;
-}
-
-const std::string kGpuExample =
-    std::string(GPU_EXAMPLE) + (kTestedApi == GpuApi::kGles ? " gles" : "");
 
 // The number behind "PSNR " of what a program prints, in dB.
 double PrintedPsnr(const std::string& program) {
@@ -55,16 +39,6 @@ TEST(GpuExampleWithoutDevice, EndsWithASentence) {
             std::string::npos)
       << printed.text;
   EXPECT_EQ(printed.text.find('\n'), printed.text.size() - 1);
-}
-
-// Mesa plays an older version where it is told to.
-TEST_F(GpuExample, AnOlderVersionIsOneSentence) {
-  if (kTestedApi != GpuApi::kGles) GTEST_SKIP() << "the API has no version to play";
-  const Printed printed = OutputOf("MESA_GLES_VERSION_OVERRIDE=3.1 " + kGpuExample);
-  if (printed.code == 0) GTEST_SKIP() << "the driver is not Mesa's";
-  EXPECT_EQ(printed.code, 2);
-  EXPECT_EQ(printed.text,
-            "the OpenGL ES driver of this machine has not version 3.2, which was expected\n");
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ struct GpuBound {
 inline constexpr GpuBound kGpuBound32{2e-6, 1e-4, 1e-3};
 inline constexpr GpuBound kGpuBound16{1.5e-3, 1.2e-2, 2e-3};
 
-// Filtered motion, in pixels: the camera is fitted in 32 bits in place of 64. `rare` is the share of
-// components on the limit, which one replaces and the other keeps.
+// Filtered motion, in pixels: the camera is fitted in 32 bits in place of 64. `rare` is the share
+// of components on the limit, which one replaces and the other keeps.
 inline constexpr GpuBound kGpuMotionBound{2e-6, 2e-5, 1e-3};
 
 // Each API has its own program of the same tests.

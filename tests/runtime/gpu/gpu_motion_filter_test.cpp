@@ -1,4 +1,5 @@
-// The motion filter on a GPU against the processor's reference: odd sizes, broken input, conventions.
+// The motion filter on a GPU against the processor's reference: odd sizes, broken input, inputs as
+// renderers have them.
 #include "runtime/gpu/gpu_motion_filter.h"
 
 #include <gtest/gtest.h>

@@ -31,6 +31,10 @@ class DeviceOption : public testing::TestWithParam<TestedDevice> {
   DeviceOption() {
     WritePan(folder_ / "pan");
     WritePan(folder_ / "linear", {.color_space = ColorSpace::kLinear});
+    WritePan(folder_ / "varied",
+             {.streams = Streams::kAll | Streams::kReactive,
+              .render_sizes = {{40, 32}, {40, 32}, {30, 20}, {37, 29}, {40, 32}, {20, 16}},
+              .spot = true});
   }
   std::string Path(const std::string& name) const { return folder_ / name; }
 
@@ -47,6 +51,22 @@ class DeviceOption : public testing::TestWithParam<TestedDevice> {
   ProgramResult Judge(const std::string& device) const {
     return RunWarplut({"judge", "--sequence", Path("linear"), "--modes", "sr,i", "--filter",
                        "catmull-rom", "--history", "rgba32f", "--device", device, "--json"});
+  }
+
+  // The frames of the device are those of the processor, a code apart at most.
+  void ExpectSameFrames(std::size_t least_files) const {
+    std::set<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(Path("cpu"))) {
+      if (entry.is_regular_file()) files.insert(fs::relative(entry, Path("cpu")));
+    }
+    EXPECT_GE(files.size(), least_files);
+    for (const std::string& file : files) {
+      const Image expected = ReadImage(Path("cpu/" + file)),
+                  found = ReadImage(Path(device_ + "/" + file));
+      ASSERT_EQ(found.data.size(), expected.data.size()) << file;
+      for (std::size_t i = 0; i < expected.data.size(); ++i)
+        ASSERT_NEAR(found.data[i], expected.data[i], 1.01 / 255) << file;
+    }
   }
 
   const std::string device_ = GetParam().name;
@@ -71,23 +91,22 @@ TEST_P(DeviceOption, WithoutAGpuNothingIsLeftBehind) {
   EXPECT_FALSE(fs::exists(Path(device_)));
 }
 
-// The default history is in halves, and the files have 8 bits: a code apart at most.
+// The default history is in halves, and the files have 8 bits.
 TEST_P(DeviceOption, RunWritesTheFramesOfTheProcessor) {
   const ProgramResult gpu = Run("sr,i", device_, {"--every", "2"});
   if (gpu.code != 0) GTEST_SKIP() << gpu.err;
   ASSERT_EQ(Run("sr,i", "cpu", {"--every", "2"}).code, 0);
-  std::set<std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(Path("cpu"))) {
-    if (entry.is_regular_file()) files.insert(fs::relative(entry, Path("cpu")));
-  }
-  EXPECT_GT(files.size(), 6U);
-  for (const std::string& file : files) {
-    const Image expected = ReadImage(Path("cpu/" + file)),
-                found = ReadImage(Path(device_ + "/" + file));
-    ASSERT_EQ(found.data.size(), expected.data.size()) << file;
-    for (std::size_t i = 0; i < expected.data.size(); ++i)
-      ASSERT_NEAR(found.data[i], expected.data[i], 1.01 / 255) << file;
-  }
+  ExpectSameFrames(7);
+}
+
+// A reactive mask, render sizes that vary, and filtered motion.
+TEST_P(DeviceOption, RunTakesWhatTheProcessorTakes) {
+  const std::vector<std::string> more = {"--sequence", Path("varied"), "--motion-filter", "on"};
+  const ProgramResult gpu = Run("sr", device_, more);
+  if (gpu.err.find(GetParam().missing) != std::string::npos) GTEST_SKIP() << gpu.err;
+  ASSERT_EQ(gpu.code, 0) << gpu.err;
+  ASSERT_EQ(Run("sr", "cpu", more).code, 0);
+  ExpectSameFrames(6);
 }
 
 // Scores are those of the processor within what whole runs may differ (tests/runtime/gpu). History
