@@ -47,8 +47,7 @@ std::vector<PassWork> WorkOf(const SuperResolutionOptions& options, const InputB
   const double tile = 1.0 * kAliasingTile * kAliasingTile;
   std::vector<PassWork> work;
   AppendPrefilter(options.warp, output, &work);
-  // For each of 9 samples and 3 channels: encoding 3, least and greatest 2, sums 5.
-  work.push_back({"samples", render, 9, 9 * 3 * 10 + 3 * 8, inputs.color + 2 * kTexel});
+  work.push_back({"samples", render, 9, 162, inputs.color + 2 * kTexel});
 
   // Depth and motion of 4 samples, the range of depths, boxes, then the table and its taps.
   const WarpWork warp = WorkOfWarp(options.warp);
@@ -57,12 +56,12 @@ std::vector<PassWork> WorkOf(const SuperResolutionOptions& options, const InputB
   const double render_bytes = inputs.depth + inputs.motion + 2 * kTexel + 2 * kScalar;
   work.push_back({"predict", output, predict_fetches, predict_operations,
                   kTexel + render_bytes / area + kTexel});
-  work.push_back({"residual", render, 17, 16 * 3 * 2 + 24 + 40 + 20,
-                  inputs.color + kTexel * area + kTexel + kScalar / tile});
-  work.push_back({"aliasing", render / tile, 25, 60, 2 * kScalar});
+  work.push_back(
+      {"residual", render, 17, 177, inputs.color + kTexel * area + kTexel + kScalar / tile});
+  work.push_back({"aliasing", render / tile, 25, 66, 2 * kScalar});
   const double shown = EncodingOf(options) == ColorEncoding::kLinearHdr ? kTexel : 0;
   work.push_back({"update", output, 1 + 4 + 4, 90, kTexel + kTexel / area + kTexel + shown});
-  work.push_back({"depth range", render, 17, 16 * 2 + 17 * 4, inputs.depth + 2 * kScalar});
+  work.push_back({"depth range", render, 17, 66, inputs.depth + 2 * kScalar});
   return work;
 }
 

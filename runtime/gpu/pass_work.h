@@ -27,7 +27,8 @@ struct InputBytes {
 };
 
 // The passes of a frame in their order, with a history in RGBA16F. Counts follow
-// runtime/gpu/shaders by hand. The options have the default form, clamp, depth measure and motion.
+// runtime/gpu/shaders by hand; tools/measure/count_shader_work.sh compares them with the SPIR-V.
+// The options have the default form, clamp, depth measure and motion.
 std::vector<PassWork> WorkOf(const SuperResolutionOptions& options, const InputBytes& inputs = {});
 
 // Those of one generated frame, of which frame 1 is new. The options have display values, splatting
