@@ -264,6 +264,7 @@ TEST_F(GpuFrameGenerationTest, TimesEveryPass) {
       generation::RandomFrame(20, 12, PixelFormat::kRgba32F, 2, false);
   FrameGenerationOptions options = OptionsOf(frame0);
   options.encoding = ColorEncoding::kLinearHdr;
+  options.motion_filter = true;
   GpuFrameGeneration gpu(device(), options, PixelFormat::kRgba16F);
   EXPECT_GT(gpu.MemoryBytes(), std::size_t{20 * 12 * 8 * 6});
   ImageBuffer out(20, 12, PixelFormat::kRgba8);
@@ -274,7 +275,8 @@ TEST_F(GpuFrameGenerationTest, TimesEveryPass) {
     names.push_back(time.pass);
     EXPECT_GE(time.milliseconds, 0);
   }
-  const std::vector<std::string> of_frame = {"encode", "prefilter columns", "prefilter rows"};
+  const std::vector<std::string> of_frame = {"camera", "motion filter", "encode",
+                                             "prefilter columns", "prefilter rows"};
   std::vector<std::string> expected;
   for (int i = 0; i < 2; ++i) expected.insert(expected.end(), of_frame.begin(), of_frame.end());
   expected.insert(expected.end(), {"splat depth", "splat source", "extrapolate"});

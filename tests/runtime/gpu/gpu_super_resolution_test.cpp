@@ -334,6 +334,7 @@ TEST_F(GpuSuperResolutionTest, TimesEveryPass) {
   SuperResolutionOptions options = TestOptions(20, 12, 40, 24);
   options.warp.filter = Filter::kLut;
   options.warp.table = &table_;
+  options.motion_filter = options.reactive = true;
   GpuSuperResolution gpu(device(), options);
   EXPECT_GT(gpu.MemoryBytes(), std::size_t{40 * 24 * 8 * 4});
   ImageBuffer out = OutputOf(options);
@@ -346,8 +347,9 @@ TEST_F(GpuSuperResolutionTest, TimesEveryPass) {
     EXPECT_GE(time.milliseconds, 0);
   }
   EXPECT_EQ(names,
-            (std::vector<std::string>{"prefilter columns", "prefilter rows", "samples", "predict",
-                                      "residual", "aliasing", "update", "depth range"}));
+            (std::vector<std::string>{"prefilter columns", "prefilter rows", "camera",
+                                      "motion filter", "samples", "predict", "residual", "aliasing",
+                                      "update", "depth range", "reactive reach"}));
 }
 
 TEST_F(GpuSuperResolutionTest, RefusesWhatItLacks) {
