@@ -189,9 +189,11 @@ TEST_P(BakedShaderTest, GivesTheTestVectors) {
     VulkanCommands commands(vulkan, 1);
     commands.Run([&](VkCommandBuffer recorded) {
       for (const VulkanImage& image : resources.images()) PrepareImage(recorded, image);
-      for (const int i : {0, 1, 2, 4, 5})
-        CopyToImage(recorded, resources.buffer(i), resources.image(i));
-      pass.Record(recorded, &count);
+      for (const int i : {0, 1, 2, 4, 5}) {
+        const VulkanImage& image = resources.image(i);
+        CopyToImage(recorded, resources.buffer(i), image, image.plan.width, image.plan.height);
+      }
+      pass.Record(recorded, &count, 0, plan.width, plan.height);
       CopyToBuffer(recorded, resources.image(3), resources.buffer(3));
     });
   }
