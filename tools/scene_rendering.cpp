@@ -16,12 +16,12 @@ std::vector<std::string> SelectScenes(const std::string& selection) {
   for (const SceneInfo& scene : Scenes()) {
     known += fmt::format("{}, ", scene.name);
     if (selection == "all" || selection == scene.name ||
-        selection == (scene.training ? "training" : "held-out")) {
+        selection == Name(scene.use)) {
       selected.emplace_back(scene.name);
     }
   }
   if (selected.empty()) {
-    throw Error(fmt::format("'{}' is not a scene; expected {}training, held-out or all.", selection,
+    throw Error(fmt::format("'{}' is not a scene; expected {}training, held-out, fault or all.", selection,
                             known));
   }
   return selected;

@@ -14,6 +14,8 @@ World Street(std::uint64_t seed);
 World Meadow(std::uint64_t seed);
 World Machinery(std::uint64_t seed);
 World Plaza(std::uint64_t seed);
+World Penumbra(std::uint64_t seed);
+World Rims(std::uint64_t seed);
 World Gallery(std::uint64_t seed);
 World Harbour(std::uint64_t seed);
 World Colonnade(std::uint64_t seed);

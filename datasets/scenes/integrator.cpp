@@ -116,16 +116,17 @@ Rgb Integrator::Shade(const Path& path) const {
   const float clear = 1e-3f + 2e-4f * length;
   const Vec3f origin = path.point.cast<float>() + (side > 0 ? clear : -clear) * point.normal;
   const bool sunny = reaches && lit > 0 && !moment_.Occluded(origin, light_.to_sun);
+  const float sun = sunny && light_.reaching ? light_.reaching(path.point.cast<float>()) : 1;
   Rgb radiance = surface.albedo * Ambient(light_, normal) + surface.emission;
-  if (sunny) radiance += surface.albedo * light_.sun * lit;
+  if (sunny) radiance += surface.albedo * light_.sun * (sun * lit);
   if (surface.gloss > 0) {
     const float grazing = 1 - Saturate(-normal.dot(direction));
     const float fresnel = surface.gloss * (0.04f + 0.96f * std::pow(grazing, 5.f));
     const Vec3f mirrored = direction - 2 * direction.dot(normal) * normal;
     if (fresnel > 0.02f) radiance += fresnel * SkyRadiance(light_, mirrored.cwiseAbs(), 0.05f);
     if (sunny)
-      radiance +=
-          surface.gloss * 0.6f * light_.sun * std::pow(Saturate(mirrored.dot(light_.to_sun)), 80.f);
+      radiance += surface.gloss * 0.6f * sun * light_.sun *
+                  std::pow(Saturate(mirrored.dot(light_.to_sun)), 80.f);
   }
   return Haze(light_, radiance, length);
 }

@@ -14,10 +14,19 @@
 
 namespace warplut {
 
+enum class SceneUse {
+  kTraining,
+  kHeldOut,  // for tests of what was trained on the others
+  kFault,    // for one fault of pictures alone: in neither set
+};
+
+// As a selection of scenes names it: training, held-out, fault.
+std::string_view Name(SceneUse use);
+
 struct SceneInfo {
   std::string_view name;
   std::string_view purpose;
-  bool training = true;  // false: held out, for tests of what was trained on the others
+  SceneUse use = SceneUse::kTraining;
 };
 
 // All built-in scenes, in a fixed order.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "datasets/scenes/linear.h"
 
@@ -16,6 +17,9 @@ struct Light {
   float cloud = 0.5f;                      // cover, 0 none, 1 overcast
   float haze = 0.002f;                     // extinction, 1 / m
   std::uint32_t seed = 1;                  // of the clouds
+  // The share of the sun, in [0, 1], that reaches a point in the world, beside what objects hide:
+  // soft shadows without noise. Empty: all of it.
+  std::function<float(const Vec3f& point)> reaching = {};
 };
 
 // Sun direction from elevation and azimuth (0: from +z, 90: from +x), degrees.

@@ -38,14 +38,17 @@ std::string ErrorOf(const std::string& scene, const RenderOptions& options, int 
 
 TEST(Scenes, AreNamedOnceAndSplitByScene) {
   std::set<std::string_view> names;
-  int training = 0, held_out = 0;
+  int training = 0, held_out = 0, fault = 0;
   for (const SceneInfo& scene : Scenes()) {
     EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
     EXPECT_FALSE(scene.purpose.empty()) << scene.name;
-    ++(scene.training ? training : held_out);
+    ++(scene.use == SceneUse::kTraining  ? training
+       : scene.use == SceneUse::kHeldOut ? held_out
+                                         : fault);
   }
   EXPECT_GE(training, 4);
   EXPECT_GE(held_out, 2);
+  EXPECT_GE(fault, 2);
 }
 
 // The ACES fit of K. Narkowicz, then the sRGB curve.
@@ -171,6 +174,48 @@ TEST(SceneRenderer, RatesShareTheirMoments) {
   }
   EXPECT_GT(slow_length, 0);
   EXPECT_NEAR(8 * fast_length / slow_length, 1, 0.05);
+}
+
+// The light of penumbra moves over a wall that rests; from frame to frame it changes a little.
+TEST(Scenes, PenumbraMovesItsShadowsAlone) {
+  const RenderOptions options = Small();
+  const SceneRenderer renderer("penumbra", options);
+  const Frame one = renderer.Render(4), two = renderer.Render(5);
+  for (const float v : two.reference_motion.data) ASSERT_EQ(v, 0);
+  EXPECT_EQ(one.reference_depth.data, two.reference_depth.data);
+  double change = 0;
+  float most = 0;
+  for (std::size_t i = 0; i < one.reference.data.size(); ++i) {
+    const float difference = std::abs(two.reference.data[i] - one.reference.data[i]);
+    change += static_cast<double>(difference) / static_cast<double>(one.reference.data.size());
+    most = std::max(most, difference);
+  }
+  EXPECT_GT(change, 0.002);
+  EXPECT_GT(most, 0.02f);
+  EXPECT_LT(most, 0.15f) << "soft edges";
+}
+
+// Rims move by less than a pixel of the output from frame to frame, before a wall that rests.
+TEST(Scenes, RimsSwaySlowly) {
+  RenderOptions options = Small();
+  options.width = 240;
+  options.height = 135;
+  const Frame frame = SceneRenderer("rims", options).Render(5);
+  int moving = 0;
+  float bright = 0;
+  for (int y = 0; y < options.height; ++y) {
+    for (int x = 0; x < options.width; ++x) {
+      const float length =
+          std::hypot(frame.reference_motion.at(x, y, 0), frame.reference_motion.at(x, y, 1));
+      moving += length > 0;
+      ASSERT_LT(length, 1);
+      bright = std::max(bright, frame.reference.at(x, y, 1));
+    }
+  }
+  const auto pixels = static_cast<double>(frame.reference.pixels());
+  EXPECT_GT(moving, 0.1 * pixels);
+  EXPECT_LT(moving, 0.7 * pixels);
+  EXPECT_GT(bright, 0.5f);
 }
 
 TEST(SceneRenderer, UnknownSceneNamesThoseThatExist) {

@@ -56,15 +56,16 @@ ExitCode RunScenes(bool json) {
   if (json) {
     Json scenes = Json::array();
     for (const SceneInfo& scene : Scenes()) {
-      scenes.push_back(
-          {{"name", scene.name}, {"training", scene.training}, {"purpose", scene.purpose}});
+      scenes.push_back({{"name", scene.name},
+                        {"training", scene.use == SceneUse::kTraining},
+                        {"use", Name(scene.use)},
+                        {"purpose", scene.purpose}});
     }
     PrintJson({{"scenes", scenes}});
     return ExitCode::kDone;
   }
   for (const SceneInfo& scene : Scenes()) {
-    Print(fmt::format("{:<12} {:<9} {}\n", scene.name, scene.training ? "training" : "held out",
-                      scene.purpose));
+    Print(fmt::format("{:<12} {:<9} {}\n", scene.name, Name(scene.use), scene.purpose));
   }
   return ExitCode::kDone;
 }
@@ -74,7 +75,9 @@ void AddRender(Command dataset, CommandRun* run) {
   RenderOptions& options = arguments->options;
   Command command =
       dataset.AddCommand("render", "Render built-in scenes into sequences, OUT/SCENE");
-  command.Add("scene", arguments->selection, "Scenes to render: a name, or training, held-out, all")
+  command
+      .Add("scene", arguments->selection,
+           "Scenes to render: a name, or training, held-out, fault, all")
       .Required();
   command.Add("--out", arguments->out, "Folder for the sequences").Required();
   command.Add("--width", options.width, "Width of the output grid in pixels").ShowDefault();
