@@ -44,13 +44,17 @@ void AddJudgeCommand(Command app, CommandRun* run) {
   Command command =
       app.AddCommand("judge", "Judge methods on sequences, beside baselines that do without them");
   AddSequenceOptions(command, arguments.get()).Required();
+  CommandOption against = command
+                              .Add("--against", a.against,
+                                   "Filters, tables and methods to compare with, and what pays "
+                                   "here: tables as files, names "
+                                   "of methods, " +
+                                       WarpNames())
+                              .Separated();
   command
-      .Add(
-          "--against", a.against,
-          "Filters, tables and methods to compare with, and what pays here: tables as files, names "
-          "of methods, " +
-              WarpNames())
-      .Separated();
+      .AddFlag("--jitter", a.jitter,
+               "Also print the errors that repeat with the jitter and the render grid")
+      .Excludes(against);
   command.Add("--target", a.targets, "Least values of a method, as METHOD,PSNR,SSIM");
   command.Add("--pictures", a.pictures,
               "Folder for pictures: the windows where the first method errs most");

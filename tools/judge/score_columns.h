@@ -1,7 +1,7 @@
 // Columns of the scores of frames.
 #pragma once
 
-#include "tools/judge/compare.h"
+#include "tools/judge/sequence_scores.h"
 #include "tools/tables/record_table.h"
 
 namespace warplut {
@@ -22,5 +22,12 @@ inline const Columns<TimedScore> kScoreColumns = {
     kFrameColumns[0], kFrameColumns[1], {"temporal_error", "temporal", [](const TimedScore& timed) {
                                            return NumberCell(timed.temporal_error, 4);
                                          }}};
+
+// Columns of `judge --jitter`.
+inline const Columns<JitterScores> kJitterColumns = {
+    {"jitter_error", "jitter",
+     [](const JitterScores& scores) { return NumberCell(scores.repeating, 5); }},
+    {"lattice_error", "lattice",
+     [](const JitterScores& scores) { return NumberCell(scores.lattice, 5); }}};
 
 }  // namespace warplut

@@ -58,6 +58,13 @@ class SequenceJudging {
         report.methods.push_back(FromNumbers(options_.runs[r].name, scores[Piece(s, r)]));
       }
       report.notes = JudgingNotes(sequences_[s], JudgedMethods());
+      const std::string why =
+          options_.jitter ? WhyNoJitterError(sequences_[s], ranges_[s].first, ranges_[s].count)
+                          : "";
+      if (!why.empty()) {
+        report.notes.push_back(
+            fmt::format("'{}' has no error of the jitter: {}.", sequences_[s].name, why));
+      }
     }
     return judged;
   }
@@ -85,10 +92,10 @@ class SequenceJudging {
   // All that decides the scores, beside the files' contents.
   std::string Identity() const {
     const PipelineArguments& a = options_.pipeline;
-    std::string text =
-        fmt::format("{} {} {} {} {} {} {} {} {} {}", pipeline_.filter_name(), a.lookup, a.params,
-                    a.generated, a.motion_filter, a.history, a.texels, options_.every,
-                    options_.border, options_.device != nullptr ? options_.device->name() : "");
+    std::string text = fmt::format("{} {} {} {} {} {} {} {} {} {} {}", pipeline_.filter_name(),
+                                   a.lookup, a.params, a.generated, a.motion_filter, a.history,
+                                   a.texels, options_.every, options_.border, options_.jitter,
+                                   options_.device != nullptr ? options_.device->name() : "");
     for (const float alpha : a.alphas) text += fmt::format(" {}", alpha);
     for (const JudgedRun& run : options_.runs) text += fmt::format(" {}", run.name);
     for (std::size_t s = 0; s < sequences_.size(); ++s) {
@@ -111,7 +118,8 @@ class SequenceJudging {
     Progress progress("judging " + sequences_[s].name, static_cast<double>(own.size()), "runs");
     for (const std::size_t r : own) {
       const JudgedRun& run = options_.runs[r];
-      SequenceJudge judge(loaded.truth, *run.method, options_.border, options_.settled);
+      SequenceJudge judge(loaded.truth, *run.method, options_.border, options_.settled,
+                          options_.jitter);
       Run(loaded, run, [&](const ShownFrame& shown) { judge.Add(shown); });
       scores[Piece(s, r)] = ToNumbers(judge.Finish());
       progress.Add(1);

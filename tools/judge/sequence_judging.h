@@ -33,7 +33,8 @@ struct SequenceJudgingOptions {
   std::vector<JudgedRun> runs;  // at least one
   int every = 2;                // for methods that generate; the others see every frame
   int border = kScoreBorder;
-  int settled = 0;  // judged frames that the settled means leave out; 0: there are none
+  int settled = 0;      // judged frames that the settled means leave out; 0: there are none
+  bool jitter = false;  // JitterScores
   std::filesystem::path pictures = {};  // folder of the windows where the first run errs most
   ModeDevice* device = nullptr;         // outlives the call; null: the processor
   PipelineArguments pipeline;

@@ -56,10 +56,13 @@ TextTable MethodTable(const SequenceReport& report) {
     settled.front() = SettledName(*first) + ": " + settled.front();
     Append(settled, table.header);
   }
+  const bool jitter = report.methods.front().jitter.has_value();
+  if (jitter) Append(RecordHeader(kJitterColumns).header, table.header);
   table.header.emplace_back("ms/frame");
   for (const SequenceScores& scores : report.methods) {
     Row row = NamedRow(scores.method, scores.mean, scores.temporal_error);
     if (first) Append(ScoreCells(scores.settled->mean, scores.settled->temporal_error), row);
+    if (jitter) Append(RecordRow(kJitterColumns, *scores.jitter), row);
     row.push_back(scores.milliseconds > 0 ? fmt::format("{:.1f}", scores.milliseconds) : "-");
     table.rows.push_back(row);
   }
@@ -91,6 +94,11 @@ SequenceReport MeanReport(const std::vector<SequenceReport>& reports) {
       means.push_back(report.methods[m].mean);
       scores.temporal_error += report.methods[m].temporal_error / count;
       scores.milliseconds += report.methods[m].milliseconds / count;
+      if (const auto& one = report.methods[m].jitter) {
+        if (!scores.jitter) scores.jitter.emplace();
+        scores.jitter->repeating += one->repeating / count;
+        scores.jitter->lattice += one->lattice / count;
+      }
       if (const auto& one = report.methods[m].settled) {
         settled.left_out = one->left_out;
         settled.temporal_error += one->temporal_error / count;
@@ -121,6 +129,7 @@ Json ToJson(const SequenceReport& report) {
       method["settled"] = {{"left_out", settled->left_out}};
       method["settled"].update(MeansToJson(settled->mean, settled->temporal_error));
     }
+    if (scores.jitter) method.update(RecordJson(kJitterColumns, *scores.jitter));
     method["milliseconds"] = scores.milliseconds;
     method["frames"] = frames;
     methods.push_back(method);

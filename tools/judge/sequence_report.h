@@ -17,14 +17,16 @@ struct SequenceReport {
 };
 
 // Rows: methods. Columns: PSNR (RGB), SSIM (luma), temporal error; the same settled, where all
-// methods have that; milliseconds per frame that the runtime made.
+// methods have that; errors that the jitter makes, where all have those; milliseconds per frame that
+// the runtime made.
 TextTable MethodTable(const SequenceReport& report);
 
 // Rows: judged frames, their mean, and the settled mean if there is one.
 TextTable FrameTable(const SequenceScores& scores);
 
-// The means over sequences, each with the same weight, under the name "mean", settled ones too. At
-// least one report; all have settled scores, without as many frames, or none.
+// The means over sequences, each with the same weight, under the name "mean", settled ones and
+// those of jitter too. At least one report; all have settled scores, without as many frames, or
+// none, and all have scores of jitter or none.
 SequenceReport MeanReport(const std::vector<SequenceReport>& reports);
 
 Json ToJson(const SequenceReport& report);

@@ -10,6 +10,7 @@
 
 #include "datasets/error.h"
 #include "tools/judge/image_set.h"
+#include "train/metrics/luma.h"
 #include "train/replay/image_views.h"
 #include "train/replay/judged_frames.h"
 
@@ -48,8 +49,11 @@ void AddMeans(std::size_t left_out, double settled_temporal_error, SequenceScore
 
 std::vector<double> ToNumbers(const SequenceScores& scores) {
   const SettledScores settled = scores.settled.value_or(SettledScores{});
-  std::vector<double> numbers = {scores.temporal_error, scores.milliseconds,
-                                 static_cast<double>(settled.left_out), settled.temporal_error};
+  const JitterScores jitter = scores.jitter.value_or(JitterScores{});
+  std::vector<double> numbers = {
+      scores.temporal_error,  scores.milliseconds,       static_cast<double>(settled.left_out),
+      settled.temporal_error, scores.jitter ? 1.0 : 0.0, jitter.repeating,
+      jitter.lattice};
   for (std::size_t i = 0; i < scores.frames.size(); ++i) {
     const FrameScore& frame = scores.frames[i];
     numbers.insert(numbers.end(), {std::stod(frame.name), frame.mean_squared_error, frame.psnr,
@@ -67,6 +71,10 @@ SequenceScores FromNumbers(const std::string& method, const std::vector<double>&
   scores.milliseconds = next();
   const auto left_out = static_cast<std::size_t>(next());
   const double settled_temporal_error = next();
+  const bool has_jitter = next() != 0;
+  const double repeating = next();
+  const double lattice = next();
+  if (has_jitter) scores.jitter = {.repeating = repeating, .lattice = lattice};
   while (at < numbers.size()) {
     FrameScore& frame = scores.frames.emplace_back();
     frame.name = FrameName(static_cast<int>(next()));
@@ -77,6 +85,33 @@ SequenceScores FromNumbers(const std::string& method, const std::vector<double>&
   }
   AddMeans(left_out, settled_temporal_error, scores);
   return scores;
+}
+
+std::string WhyNoJitterError(const Sequence& sequence, int first, int count) {
+  std::vector<Vec2> offsets;
+  for (int index = first; !sequence.jitter.empty() && index < first + count; ++index) {
+    offsets.push_back(sequence.jitter[static_cast<std::size_t>(index) % sequence.jitter.size()]);
+  }
+  const std::optional<int> period = JitterPeriod(offsets);
+  if (!period) {
+    return fmt::format("the jitter of its {} frames has no whole cycle", count);
+  }
+  // Frame 0 is not judged, and a cut begins anew.
+  int longest = 0, begin = first;
+  for (int index = first + 1; index <= first + count; ++index) {
+    const bool ends =
+        index == first + count || std::find(sequence.cuts.begin(), sequence.cuts.end(),
+                                            sequence.first + index) != sequence.cuts.end();
+    if (!ends) continue;
+    longest = std::max(longest, index - begin - 1);
+    begin = index;
+  }
+  const int least = JitterErrorSum::LeastFrames(*period);
+  if (longest >= least) return "";
+  return fmt::format(
+      "a cycle of its jitter has {} frames, {} of them in a row are needed and {} "
+      "follow a first one",
+      *period, least, longest);
 }
 
 FrameGeometry ReferenceGeometry(const ClipFrame& frame) {
@@ -142,9 +177,35 @@ std::vector<std::string> JudgingNotes(const Sequence& sequence,
   return notes;
 }
 
-SequenceJudge::SequenceJudge(const Clip& truth, const MethodInfo& method, int border, int settled)
-    : truth_(truth), method_(method), border_(border), settled_(static_cast<std::size_t>(settled)) {
+SequenceJudge::SequenceJudge(const Clip& truth, const MethodInfo& method, int border, int settled,
+                             bool jitter)
+    : truth_(truth),
+      method_(method),
+      border_(border),
+      settled_(static_cast<std::size_t>(settled)),
+      has_jitter_scores_(jitter) {
   scores_.method = method.name;
+  if (!jitter || !method.super_resolution) return;
+  std::vector<Vec2> offsets;
+  for (const ClipFrame& frame : truth.frames) offsets.push_back(frame.jitter);
+  if (const std::optional<int> period = JitterPeriod(offsets)) repeating_.emplace(*period, border);
+}
+
+void SequenceJudge::AddJitterError(const Image& error, int frame, bool judged) {
+  if (!has_jitter_scores_ || !method_.super_resolution) return;
+  const Image luma = Luma(error);
+  if (repeating_) {
+    const bool follows =
+        previous_ == frame - 1 && !truth_.frames[static_cast<std::size_t>(frame)].cut;
+    if (!follows) repeating_->Restart();
+    repeating_->Add(luma);
+  }
+  if (!judged) return;
+  const GridSize render = truth_.render_sizes.empty()
+                              ? truth_.render
+                              : truth_.render_sizes[static_cast<std::size_t>(frame)];
+  lattice_ += LatticeEnergy(luma, static_cast<double>(luma.width) / render.width,
+                            static_cast<double>(luma.height) / render.height, border_);
 }
 
 void SequenceJudge::Add(const ShownFrame& shown) {
@@ -177,6 +238,7 @@ void SequenceJudge::Add(const ShownFrame& shown) {
     if (settled) settled_temporal_ += sum;
   }
   if (judged) scores_.temporal.push_back(sum.Rms());
+  AddJitterError(error, shown.frame, judged);
   previous_ = shown.frame;
   previous_error_ = std::move(error);
 }
@@ -197,6 +259,10 @@ SequenceScores SequenceJudge::Finish() const {
   scores.temporal_error = temporal_.Rms();
   AddMeans(settled_, settled_temporal_.Rms(), scores);
   scores.milliseconds = MeanMilliseconds(seconds_);
+  if (has_jitter_scores_) {
+    scores.jitter = {.repeating = (repeating_ ? repeating_->Energy() : ErrorEnergy{}).Rms(),
+                     .lattice = lattice_.Rms()};
+  }
   return scores;
 }
 

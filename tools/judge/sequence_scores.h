@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/judge/compare.h"
+#include "train/metrics/jitter_error.h"
 #include "train/metrics/temporal_error.h"
 #include "train/replay/mode_run.h"
 
@@ -24,6 +25,13 @@ struct SettledScores {
       0;  // RMS over the pairs whose later frame comes after those; NaN if there is none
 };
 
+// Errors of luma that the jitter makes, RMS (train/metrics/jitter_error.h). NaN for methods without
+// super resolution.
+struct JitterScores {
+  double repeating = 0;  // JitterErrorSum; NaN without three whole cycles of jitter
+  double lattice = 0;    // LatticeEnergy, over judged frames
+};
+
 // Judged frames, named by their number; their means; and what the runtime took.
 struct SequenceScores {
   std::string method;
@@ -36,12 +44,17 @@ struct SequenceScores {
   double milliseconds =
       0;  // mean of the frames that the runtime made, the first left out if there are more
   std::optional<SettledScores> settled;  // if it was asked for
+  std::optional<JitterScores> jitter;    // if it was asked for
 };
 
 // All of the scores but the method's name, as numbers that one rank sends to another, and back:
 // the same scores. Names of frames are their numbers.
 std::vector<double> ToNumbers(const SequenceScores& scores);
 SequenceScores FromNumbers(const std::string& method, const std::vector<double>& numbers);
+
+// Why there is no JitterScores::repeating for frames [first, first + count) of the sequence, by
+// index; empty if there is.
+std::string WhyNoJitterError(const Sequence& sequence, int first, int count);
 
 FrameGeometry ReferenceGeometry(const ClipFrame& frame);
 
@@ -64,9 +77,10 @@ class SequenceJudge {
   // `truth`: a clip with JudgingStreams of the method, its motion from frame to frame (every = 1);
   // it outlives the judge. Where TrueFrameOf has no depth and motion there is no temporal error.
   // `border`: pixels at each edge that do not count. `settled`: how many judged frames
-  // SettledScores leave out, at least 0; 0: there are none.
+  // SettledScores leave out, at least 0; 0: there are none. `jitter`: make JitterScores, in the
+  // memory of JitterErrorSum.
   SequenceJudge(const Clip& truth, const MethodInfo& method, int border = kScoreBorder,
-                int settled = 0);
+                int settled = 0, bool jitter = false);
 
   // Error if the image has no true frame of its size or is too small (CompareImages).
   void Add(const ShownFrame& shown);
@@ -75,6 +89,8 @@ class SequenceJudge {
   SequenceScores Finish() const;
 
  private:
+  void AddJitterError(const Image& error, int frame, bool judged);
+
   const Clip& truth_;
   const MethodInfo& method_;
   int border_;
@@ -84,6 +100,9 @@ class SequenceJudge {
   int previous_ = -1;     // index of the frame before that was shown
   Image previous_error_;  // its error
   std::vector<double> seconds_;
+  bool has_jitter_scores_;
+  std::optional<JitterErrorSum> repeating_;
+  ErrorEnergy lattice_;
 };
 
 }  // namespace warplut

@@ -108,6 +108,7 @@ JudgeOutcome Judge(const JudgeRequest& request) {
                                            .every = request.every,
                                            .border = request.border,
                                            .settled = request.settled,
+                                           .jitter = request.jitter,
                                            .pictures = request.pictures,
                                            .device = device.get(),
                                            .pipeline = request.pipeline},

@@ -18,7 +18,8 @@ struct JudgeRequest {
   std::vector<std::string> modes = {"sr"};  // baselines are added
   int every = 2;                            // for methods that generate; the others see every frame
   int border = kScoreBorder;
-  int settled = 0;  // judged frames that the settled means leave out; 0: there are none
+  int settled = 0;      // judged frames that the settled means leave out; 0: there are none
+  bool jitter = false;  // JitterScores
   std::string device = DeviceNames().front();
   PipelineArguments pipeline;
   std::vector<std::string> against;  // filters, tables and methods: what pays is judged too

@@ -40,6 +40,27 @@ TEST(SequenceReport, TablesShowWhatThereIs) {
             "| mean | 30.00 | 0.9500 | 0.0125 |\n");
 }
 
+TEST(SequenceReport, ErrorsOfTheJitterAreShownWhereAskedFor) {
+  SequenceReport report = Report(31), other = Report(32);
+  for (SequenceReport* one : {&report, &other}) {
+    one->methods[0].jitter = {.repeating = 0.00125, .lattice = 0.0005};
+    one->methods[1].jitter = {.repeating = kNan, .lattice = kNan};
+  }
+  other.methods[0].jitter->repeating = 0.00375;
+  EXPECT_EQ(ToMarkdown(MethodTable(report)),
+            "| street | PSNR dB | SSIM | temporal | jitter | lattice | ms/frame |\n"
+            "|---|---:|---:|---:|---:|---:|---:|\n"
+            "| sr | 31.00 | 0.9500 | 0.0125 | 0.00125 | 0.00050 | 12.3 |\n"
+            "| repeat | 31.00 | 0.9500 | - | - | - | - |\n");
+  const SequenceReport mean = MeanReport({report, other});
+  EXPECT_DOUBLE_EQ(mean.methods[0].jitter->repeating, 0.0025);
+  EXPECT_DOUBLE_EQ(mean.methods[0].jitter->lattice, 0.0005);
+  const auto json = ToJson(report);
+  EXPECT_EQ(json["methods"][0]["jitter_error"], 0.00125);
+  EXPECT_TRUE(json["methods"][1]["lattice_error"].is_null());
+  EXPECT_FALSE(ToJson(Report(31))["methods"][0].contains("jitter_error"));
+}
+
 SequenceReport SettledReport(double psnr) {
   SequenceReport report = Report(psnr);
   for (SequenceScores& scores : report.methods) {

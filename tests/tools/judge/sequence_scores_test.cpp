@@ -124,6 +124,43 @@ TEST_F(SequenceScoresTest, SettledMeansLeaveOutTheFirstFrames) {
               {"leaves out 5 frames", "method sr is judged by 5 of 'pan'", "at least one more"});
 }
 
+TEST_F(SequenceScoresTest, ErrorsOfTheJitterAreScoredWhereAskedFor) {
+  Clip truth = LoadClip(ReadSequence(folder_ / "pan"), 0, 6, kTruthStreams);
+  for (std::size_t f = 0; f < 6; ++f) truth.frames[f].jitter = {f % 2 == 0 ? 0.25 : -0.25, 0};
+  const auto scores_of = [&](const Clip& clip, const char* method, bool jitter) {
+    SequenceJudge judge(clip, *FindMethod(method), kScoreBorder, 0, jitter);
+    for (int f = 0; f < 6; ++f) Show(judge, f, f % 2 == 0 ? 0.125f : 0.0625f, f % 2 == 1);
+    return judge.Finish();
+  };
+  EXPECT_FALSE(scores_of(truth, "sr", false).jitter);
+  const SequenceScores scores = scores_of(truth, "sr", true);
+  ASSERT_TRUE(scores.jitter);
+  EXPECT_NEAR(scores.jitter->repeating, 0.03125, 1e-6);
+  EXPECT_NEAR(scores.jitter->lattice, 0, 1e-6) << "the same at all pixels";
+  const SequenceScores received = FromNumbers("sr", ToNumbers(scores));
+  EXPECT_EQ(received.jitter->repeating, scores.jitter->repeating);
+  EXPECT_EQ(received.jitter->lattice, scores.jitter->lattice);
+  EXPECT_FALSE(FromNumbers("sr", ToNumbers(scores_of(truth, "sr", false))).jitter);
+  EXPECT_TRUE(std::isnan(scores_of(truth, "i", true).jitter->lattice)) << "no super resolution";
+  truth.frames[3].cut = true;
+  EXPECT_TRUE(std::isnan(scores_of(truth, "sr", true).jitter->repeating)) << "no cycles in a row";
+}
+
+TEST_F(SequenceScoresTest, TellsWhyThereIsNoErrorOfTheJitter) {
+  Sequence sequence = ReadSequence(folder_ / "pan");
+  sequence.cuts.clear();
+  sequence.jitter = {{0.25, 0}, {-0.25, 0}};
+  EXPECT_EQ(WhyNoJitterError(sequence, 0, 6), "");
+  EXPECT_EQ(
+      WhyNoJitterError(sequence, 1, 5),
+      "a cycle of its jitter has 2 frames, 5 of them in a row are needed and 4 follow a first "
+      "one");
+  sequence.cuts = {sequence.first + 3};
+  EXPECT_NE(WhyNoJitterError(sequence, 0, 6).find("and 2 follow"), std::string::npos);
+  sequence.jitter.clear();
+  EXPECT_EQ(WhyNoJitterError(sequence, 0, 6), "the jitter of its 6 frames has no whole cycle");
+}
+
 TEST_F(SequenceScoresTest, RefusesWhatCannotBeJudged) {
   SequenceJudge judge(truth_, *FindMethod("i"));
   Show(judge, 0, 0);
