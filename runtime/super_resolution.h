@@ -94,6 +94,10 @@ struct SuperResolutionOptions {
   // Removes quantisation from the motion (runtime/motion_filter.h).
   bool motion_filter = kPipeline.sr.motion_filter.value_or(false);
   CurrentFrame current = kPipeline.sr.current.value_or(CurrentFrame::kBilinear);
+  // The share of residuals that agree with those around them, as where light changes, of all output
+  // pixels alike, in [0, 1] (docs/SUPER_RESOLUTION.md); 0: as other residuals, by the distance of
+  // the nearest sample. Not read by kSample. No device but the processor has it.
+  float coherent_share = 0;
   bool reactive = false;  // frames may have a reactive mask; allocates two planes for it
   WarpOptions warp;       // the filter of the history
   // Null, or another system (runtime/peers.h), whose limit, update and filter are taken instead.

@@ -103,6 +103,10 @@ void CheckArguments(const PipelineArguments& arguments) {
   if (!arguments.filter.empty() && !NamedWarp(arguments.filter)) {
     throw Error(fmt::format("'{}' is not a filter; expected {}", arguments.filter, WarpNames()));
   }
+  if (!(arguments.coherent_share >= 0 && arguments.coherent_share <= 1)) {
+    throw Error(fmt::format("the share of coherent residuals is {}; expected 0 to 1",
+                            arguments.coherent_share));
+  }
   // What holds for every clip; RunMode's own check is for the clip in hand.
   ModeRunOptions options;
   options.generated = arguments.generated;
@@ -139,6 +143,7 @@ ModeRunOptions Pipeline::Options(const MethodInfo& method, int every) const {
   options.super_resolution.parameters = parameters_;
   const MotionFiltering filtering = FilteringOf(arguments_);
   options.super_resolution.motion_filter = filtering == MotionFiltering::kOn;
+  options.super_resolution.coherent_share = arguments_.coherent_share;
   for (const PixelFormat format : kColorFormats) {
     if (arguments_.history == Name(format)) options.super_resolution.history_format = format;
   }

@@ -23,6 +23,7 @@ struct PipelineArguments {
   int generated = 1;
   std::vector<float> alphas = {};
   std::string motion_filter = "auto";  // where a clip's motion is quantised; "on" or "off"
+  float coherent_share = 0;            // of SuperResolutionOptions
   std::string history = {};            // rgba8, rgba16f, rgba32f; empty: the runtime's default
   bool texels = false;
   int threads = 0;

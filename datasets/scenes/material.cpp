@@ -18,6 +18,11 @@ Surface Squares(const Material& m, Vec2f uv, float w, std::uint32_t seed) {
   return {.albedo = Mix(m.b, m.a, light) * (1 + 0.2f * grain.value), .gloss = 0.25f};
 }
 
+Surface Wash(const Material& m, Vec2f uv, float w, std::uint32_t seed) {
+  const Height clouds = Fbm(uv / m.size, w / m.size, 2, 0.5f, seed);
+  return {.albedo = Mix(m.a, m.b, SmoothStep(-0.5f, 0.5f, clouds.value))};
+}
+
 }  // namespace
 
 Surface Evaluate(const Material& material, Vec2f uv, float footprint, std::uint32_t variation,
@@ -67,6 +72,8 @@ Surface Evaluate(const Material& material, Vec2f uv, float footprint, std::uint3
       return {.albedo = material.a};
     case Pattern::kLattice:
       return {.albedo = material.a, .gloss = 0.4f};
+    case Pattern::kWash:
+      return Wash(material, uv, w, seed);
     case Pattern::kLamp:
       return {.albedo = Rgb(0, 0, 0), .emission = material.a};
   }

@@ -31,6 +31,7 @@ enum class Pattern {
   kMirror,      // reflects; a tints
   kLattice,     // woven wire a, cut out, size: side of a mesh
   kLamp,        // emits a
+  kWash,        // a and b in soft clouds, without detail, size: that of a cloud
 };
 
 struct Material {

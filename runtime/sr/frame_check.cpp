@@ -43,6 +43,11 @@ bool SuperResolutionOptions::IsValid(std::string* why) const {
   if (history_format == PixelFormat::kR32F) {
     return Refuse({"The history format is r32f; rgba8, rgba16f or rgba32f was expected."}, why);
   }
+  if (!(coherent_share >= 0 && coherent_share <= 1)) {
+    return Refuse({"The share of coherent residuals is ", std::to_string(coherent_share),
+                   "; 0 to 1 was expected."},
+                  why);
+  }
   if (!(gate_width >= 0 && gate_width <= 1)) {
     return Refuse({"The gate width is ", std::to_string(gate_width), "; 0 to 1 was expected."},
                   why);

@@ -1,6 +1,7 @@
 // The plain version of every pass: one pixel after the other, from the formulas.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/sr/passes.h"
@@ -72,6 +73,25 @@ inline float LeastResidualStep(PixelFormat history, ColorEncoding encoding, floa
   const float least = LeastStep(history), unit = least / 0.75f;
   const float distance = SettledDistance(history, encoding) + unit - ResidualSlack(history);
   return BlendShare(blend_a, 1.0f) * distance < 0.5f * unit ? least : 0.0f;
+}
+
+// Residuals are coherent where their mean over the 5 x 5 samples around, with binomial weights, is
+// large against their deviation: of the mean m and the variance V over the same samples, summed
+// over channels, g = m^2 / (m^2 + kIncoherence V) m is coherent.
+inline constexpr int kCoherentReach = 2;
+inline constexpr float kIncoherence = 4.0f;
+inline constexpr float kLeastCoherence = 1e-20f;  // of the denominator
+
+// The weight of the sample k samples away, along one axis; 0 beyond kCoherentReach.
+constexpr float CoherentTap(int k) {
+  constexpr float kBinomial[kCoherentReach + 1] = {6.0f / 16, 4.0f / 16, 1.0f / 16};
+  const int distance = k < 0 ? -k : k;
+  return distance > kCoherentReach ? 0.0f : kBinomial[distance];
+}
+
+// The part g / m of the means that is coherent, of the sum of their squares and of the variances.
+inline float CoherentPart(float squared_mean, float variance) {
+  return squared_mean / std::max(squared_mean + kIncoherence * variance, kLeastCoherence);
 }
 
 // `share` of `distance`, lengthened to `least` where the distance is more than `settled`.

@@ -78,6 +78,39 @@ Rgb UpdateFromSamples(const SrJob& job, int x, int y, const Rgb& predicted, floa
   return q;
 }
 
+// The coherent residual of column i at fraction `t` of the way from row j to the next.
+Rgb CoherentResidual(const SrJob& job, int i, int j, float t) {
+  Rgb mean{}, square{};
+  float squared = 0, variance = 0;
+  for (int c = 0; c < 3; ++c) {
+    for (int dj = -kCoherentReach; dj <= kCoherentReach + 1; ++dj) {
+      const float* row = job.residual[c].Row(std::clamp(j + dj, 0, job.y.render() - 1));
+      const float weight = (1 - t) * CoherentTap(dj) + t * CoherentTap(dj - 1);
+      for (int di = -kCoherentReach; di <= kCoherentReach; ++di) {
+        const float r = row[std::clamp(i + di, 0, job.x.render() - 1)];
+        mean.c[c] += weight * CoherentTap(di) * r;
+        square.c[c] += weight * CoherentTap(di) * r * r;
+      }
+    }
+    squared += mean.c[c] * mean.c[c];
+    variance += std::max(square.c[c] - mean.c[c] * mean.c[c], 0.0f);
+  }
+  const float part = CoherentPart(squared, variance);
+  for (float& channel : mean.c) channel *= part;
+  return mean;
+}
+
+// The same at the centre of output pixel (x, y).
+Rgb CoherentResidualAt(const SrJob& job, int x, int y) {
+  const int j = job.y.cell()[y];
+  const int i = std::clamp(job.x.cell()[x], 0, job.x.render() - 1);
+  const int next = std::clamp(job.x.cell()[x] + 1, 0, job.x.render() - 1);
+  const Rgb left = CoherentResidual(job, i, j, job.y.fraction()[y]);
+  Rgb q = CoherentResidual(job, next, j, job.y.fraction()[y]);
+  for (int c = 0; c < 3; ++c) q.c[c] = left.c[c] + job.x.fraction()[x] * (q.c[c] - left.c[c]);
+  return q;
+}
+
 Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, float validity,
                        float smoothing) {
   const Parameters& parameters = job.options.parameters;
@@ -89,12 +122,15 @@ Rgb UpdateFromResidual(const SrJob& job, int x, int y, const Rgb& predicted, flo
       SettledDistance(job.next.format, EncodingOf(job.options)) - ResidualSlack(job.next.format);
   const float least =
       LeastResidualStep(job.next.format, EncodingOf(job.options), parameters.blend_a);
+  const float coherent_share = job.options.coherent_share;
+  const Rgb coherent = coherent_share > 0 ? CoherentResidualAt(job, x, y) : Rgb{};
+  const float more = validity * (1 - smoothing) * coherent_share - share;
   Rgb q;
   for (int c = 0; c < 3; ++c) {
     const float current = BilinearAt(job, job.planes.color[c], x, y);
     const float residual = BilinearAt(job, job.residual[c], x, y);
     q.c[c] = predicted.c[c] + HistoryStep(share, residual, settled, least) +
-             current_share * (current - predicted.c[c]);
+             current_share * (current - predicted.c[c]) + more * coherent.c[c];
   }
   return q;
 }

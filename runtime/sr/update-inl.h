@@ -94,7 +94,71 @@ HWY_INLINE Floats BlendShares(float a, Floats weight) {
 }
 
 // Rows of the scratch, mixed for a row of the output but the smoothing.
-enum UpdateRow { kResidualRow, kColorRow = 3, kSmoothingRow = 6, kLimitRow = 7 };
+enum UpdateRow {
+  kResidualRow,
+  kColorRow = 3,
+  kSmoothingRow = 6,
+  kLimitRow = 7,
+  kCoherentRow = 10,
+  kSquareRow = 13,
+  kSumRow = 16
+};
+
+// The mean of a residual and of its square, as CoherentResidual, at fraction `t` of the way from
+// row j to the next, for all columns.
+HWY_INLINE void FillMeanRows(const Plane& residual, int j, float t, float* mean, float* square,
+                             Plane& rows) {
+  const FloatTag d;
+  float* sums[2] = {rows.Row(kSumRow), rows.Row(kSumRow + 1)};
+  float* means[2] = {mean, square};
+  for (int i = 0; i < residual.width(); i += kLanes) {
+    auto sum = hn::Zero(d), squares = hn::Zero(d);
+    for (int k = -kCoherentReach; k <= kCoherentReach + 1; ++k) {
+      const int row = std::clamp(j + k, 0, residual.height() - 1);
+      const auto weight = hn::Set(d, (1 - t) * CoherentTap(k) + t * CoherentTap(k - 1));
+      const auto r = hn::LoadU(d, residual.Row(row) + i);
+      const auto weighted = hn::Mul(weight, r);
+      sum = hn::Add(sum, weighted);
+      squares = hn::MulAdd(weighted, r, squares);
+    }
+    hn::Store(sum, d, sums[0] + i);
+    hn::Store(squares, d, sums[1] + i);
+  }
+  for (int s = 0; s < 2; ++s) {
+    rows.ExtendRow(kSumRow + s);
+    for (int i = 0; i < residual.width(); i += kLanes) {
+      auto sum = hn::Zero(d);
+      for (int k = -kCoherentReach; k <= kCoherentReach; ++k) {
+        sum = hn::MulAdd(hn::Set(d, CoherentTap(k)), hn::LoadU(d, sums[s] + i + k), sum);
+      }
+      hn::Store(sum, d, means[s] + i);
+    }
+  }
+}
+
+// The coherent residual between rows j and j + 1, in the rows kCoherentRow.
+HWY_INLINE void FillCoherentRows(const SrJob& job, int j, float t, Plane& rows) {
+  const FloatTag d;
+  for (int c = 0; c < 3; ++c) {
+    FillMeanRows(job.residual[c], j, t, rows.Row(kCoherentRow + c), rows.Row(kSquareRow + c), rows);
+  }
+  for (int i = 0; i < job.x.render(); i += kLanes) {
+    auto squared = hn::Zero(d), variance = hn::Zero(d);
+    for (int c = 0; c < 3; ++c) {
+      const auto mean = hn::Load(d, rows.Row(kCoherentRow + c) + i);
+      const auto square = hn::Load(d, rows.Row(kSquareRow + c) + i);
+      squared = hn::MulAdd(mean, mean, squared);
+      variance = hn::Add(variance, hn::Max(hn::NegMulAdd(mean, mean, square), hn::Zero(d)));
+    }
+    const auto all = hn::MulAdd(hn::Set(d, kIncoherence), variance, squared);
+    const auto part = hn::Div(squared, hn::Max(all, hn::Set(d, kLeastCoherence)));
+    for (int c = 0; c < 3; ++c) {
+      float* row = rows.Row(kCoherentRow + c) + i;
+      hn::Store(hn::Mul(part, hn::Load(d, row)), d, row);
+    }
+  }
+  for (int c = 0; c < 3; ++c) rows.ExtendRow(kCoherentRow + c);
+}
 
 // BrightestSamples of one channel, for all samples (i, j) of row j as the upper left one.
 HWY_INLINE void FillLimitRow(const Plane& color, int j, float* limit) {
@@ -158,6 +222,16 @@ HWY_INLINE void AddResidual(const SrJob& job, const HistorySteps& steps, int x, 
       p.g = Mix(p.g, cell.Mixed(rows.Row(kColorRow + 1), t), current_share);
       p.b = Mix(p.b, cell.Mixed(rows.Row(kColorRow + 2), t), current_share);
     }
+  }
+  if (job.options.coherent_share > 0) {
+    auto coherent = hn::Mul(p.a, hn::Set(d, job.options.coherent_share));
+    if (smooths) {
+      coherent = hn::NegMulAdd(coherent, cell.At(rows.Row(kSmoothingRow)), coherent);
+    }
+    coherent = hn::Sub(coherent, share);
+    p.r = hn::MulAdd(coherent, cell.Mixed(rows.Row(kCoherentRow), t), p.r);
+    p.g = hn::MulAdd(coherent, cell.Mixed(rows.Row(kCoherentRow + 1), t), p.g);
+    p.b = hn::MulAdd(coherent, cell.Mixed(rows.Row(kCoherentRow + 2), t), p.b);
   }
   if (hn::AllTrue(d, hn::Le(share, hn::Zero(d)))) return;
   p.r = steps.Add(share, cell.Mixed(rows.Row(kResidualRow), t), p.r);
@@ -227,6 +301,9 @@ inline void Update(const SrJob& job, int begin, int end, SrScratch& scratch,
       }
     };
     if (residual) mix(job.residual, kResidualRow);
+    if (residual && options.coherent_share > 0) {
+      FillCoherentRows(job, j, job.y.fraction()[y], rows);
+    }
     if (SmoothsAliasing(options) && j != smoothing_row) {
       smoothing_row = j;
       smooths = job.aliasing->FillRow(j, rows.Row(kSmoothingRow));

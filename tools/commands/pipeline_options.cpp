@@ -44,6 +44,11 @@ void AddPipelineOptions(Command command, PipelineArguments* arguments) {
       .ShowDefault();
   command.Add("--history", a.history, "Pixel format of the history (default: rgba16f)")
       .OneOf(HistoryFormatNames());
+  command
+      .Add("--coherent-share", a.coherent_share,
+           "Share of residuals that agree with those around, against lattices where light changes; "
+           "0.7 is a good one")
+      .ShowDefault();
   command.AddFlag(
       "--texels", a.texels,
       "Take render-grid colour from texels of the reference, in the order of the jitter");

@@ -92,10 +92,11 @@ class SequenceJudging {
   // All that decides the scores, beside the files' contents.
   std::string Identity() const {
     const PipelineArguments& a = options_.pipeline;
-    std::string text = fmt::format("{} {} {} {} {} {} {} {} {} {} {}", pipeline_.filter_name(),
-                                   a.lookup, a.params, a.generated, a.motion_filter, a.history,
-                                   a.texels, options_.every, options_.border, options_.jitter,
-                                   options_.device != nullptr ? options_.device->name() : "");
+    std::string text =
+        fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", pipeline_.filter_name(), a.lookup,
+                    a.params, a.generated, a.motion_filter, a.coherent_share, a.history, a.texels,
+                    options_.every, options_.border, options_.jitter,
+                    options_.device != nullptr ? options_.device->name() : "");
     for (const float alpha : a.alphas) text += fmt::format(" {}", alpha);
     for (const JudgedRun& run : options_.runs) text += fmt::format(" {}", run.name);
     for (std::size_t s = 0; s < sequences_.size(); ++s) {

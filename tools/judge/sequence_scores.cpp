@@ -200,7 +200,7 @@ void SequenceJudge::AddJitterError(const Image& error, int frame, bool judged) {
     if (!follows) repeating_->Restart();
     repeating_->Add(luma);
   }
-  if (!judged) return;
+  if (!judged || scores_.frames.size() <= settled_) return;
   const GridSize render = truth_.render_sizes.empty()
                               ? truth_.render
                               : truth_.render_sizes[static_cast<std::size_t>(frame)];

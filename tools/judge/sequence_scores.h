@@ -29,7 +29,7 @@ struct SettledScores {
 // super resolution.
 struct JitterScores {
   double repeating = 0;  // JitterErrorSum; NaN without three whole cycles of jitter
-  double lattice = 0;    // LatticeEnergy, over judged frames
+  double lattice = 0;    // LatticeEnergy, over judged frames but the first `settled` ones
 };
 
 // Judged frames, named by their number; their means; and what the runtime took.

@@ -52,7 +52,7 @@ World Rims(std::uint64_t seed) {
 
   // A slow sway about the foot at (x, y), with a drift that follows the wind.
   const auto plant = [&](int mesh, double x, double y, double z, double turn, double bend) {
-    const double phase = random(0, 6.28), rate = random(0.5, 1.1), drift = random(0.03, 0.12);
+    const double phase = random(0, 6.28), rate = random(0.5, 1.1), drift = random(0.003, 0.012);
     world.Place(mesh, Turn(Vec3d::UnitZ(), turn), [=](double t) {
       return Translate(x + drift * std::sin(0.7 * rate * t + phase), y, z) *
              Turn(Vec3d::UnitZ(), bend * std::sin(rate * t + 2 * phase));
@@ -63,7 +63,7 @@ World Rims(std::uint64_t seed) {
                         world.AddMesh(RimmedLeaf(0.7f, 0.4f, body, rim))};
   for (int i = 0; i < 42; ++i) {
     plant(leaves[i % 3], random(-5, 5), random(-3, 2.2), random(-0.5, 0.5), random(-3.1, 3.1),
-          random(0.05, 0.15));
+          i % 6 == 0 ? 0.1 : 0.005);
   }
   Mesh stalk;
   stalk.AddQuad({-kThin / 2, -3.5f, 0}, {kThin, 0, 0}, {0, 7, 0}, rim);
@@ -71,7 +71,7 @@ World Rims(std::uint64_t seed) {
   for (int i = 0; i < 14; ++i) {
     const double slope = random(0.03, 0.3) * (i % 2 == 0 ? 1 : -1);
     plant(stalk_mesh, random(-4.8, 4.8), random(-1, 1), -0.8, slope + (i % 4 == 3 ? kPi / 2 : 0),
-          0.02);
+          0.002);
   }
   world.camera = [](double, int) { return LookAt({0, 0, 6}, {0, 0, 0}, 50); };
   world.light = [seed](double) {

@@ -116,6 +116,21 @@ TEST(FastPasses, EqualTheReferenceInEveryMode) {
   }
 }
 
+TEST(FastPasses, EqualTheReferenceWithAShareOfCoherentResiduals) {
+  for (const HistoryForm form : {HistoryForm::kResidual, HistoryForm::kAdaptive}) {
+    for (const Grid& g : kGrids) {
+      SCOPED_TRACE(testing::Message() << g.render_width << " x " << g.render_height << " to "
+                                      << g.output_width << " x " << g.output_height);
+      SuperResolutionOptions options =
+          TestOptions(g.render_width, g.render_height, g.output_width, g.output_height);
+      options.form = form;
+      options.coherent_share = 0.7f;
+      options.history_format = PixelFormat::kRgba32F;
+      ExpectEqual(options, kFloatTolerance);
+    }
+  }
+}
+
 TEST(FastPasses, EqualTheReferenceInEveryFormat) {
   struct Tolerance {
     PixelFormat format;
