@@ -15,14 +15,13 @@ std::vector<std::string> SelectScenes(const std::string& selection) {
   std::string known;
   for (const SceneInfo& scene : Scenes()) {
     known += fmt::format("{}, ", scene.name);
-    if (selection == "all" || selection == scene.name ||
-        selection == Name(scene.use)) {
+    if (selection == "all" || selection == scene.name || selection == Name(scene.use)) {
       selected.emplace_back(scene.name);
     }
   }
   if (selected.empty()) {
-    throw Error(fmt::format("'{}' is not a scene; expected {}training, held-out, fault or all.", selection,
-                            known));
+    throw Error(fmt::format("'{}' is not a scene; expected {}training, held-out, fault or all.",
+                            selection, known));
   }
   return selected;
 }

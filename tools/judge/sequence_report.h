@@ -17,8 +17,8 @@ struct SequenceReport {
 };
 
 // Rows: methods. Columns: PSNR (RGB), SSIM (luma), temporal error; the same settled, where all
-// methods have that; errors that the jitter makes, where all have those; milliseconds per frame that
-// the runtime made.
+// methods have that; errors that the jitter makes, where all have those; milliseconds per frame
+// that the runtime made.
 TextTable MethodTable(const SequenceReport& report);
 
 // Rows: judged frames, their mean, and the settled mean if there is one.

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Measures the errors that the jitter makes and leaves the tables of docs/results/jitter.md for
+# Measures the errors that the jitter makes and leaves the table of docs/results/jitter.md for
 # tools/measure/update_tables.sh. usage: tools/measure/measure_jitter.sh [--data DIR] OUT
 #   --data DIR   recorded sequences, too short for whole cycles: the lattice alone is measured
 #                (default: $WARPLUT_DATA)
@@ -13,22 +13,27 @@ set -eu
 lut=luts/baked/warplut_iir_x2.json
 modes=sr,sr-residual,sr-sample,taau,sgsr2,fsr2
 
-# judge TABLE OPTION...: the table of warplut judge, without baselines and times.
+# judge NAME OPTION...: the tables of warplut judge with one more sentence, without baselines and
+# times.
 judge() {
-  table=$out/tables/$1.md
+  name=$1
   shift
-  "$warplut" judge --markdown --jitter --modes "$modes" --lut "$lut" "$@" > "$table.judged"
-  sed -E '/^[|]/s/[^|]*[|]$//' "$table.judged" \
-    | awk -F ' *[|] *' -v modes=",$modes," '
-        /^[|]/ && NR > 1 && $2 !~ /^-/ && index(modes, "," $2 ",") == 0 && seen { if ($3 ~ /^[0-9]/) next }
-        { seen = 1; print }' > "$table.part"
-  rm "$table.judged"
-  mv "$table.part" "$table"
+  "$warplut" judge --markdown --jitter --settled 8 --lut "$lut" "$@" > "$out/$name.judged"
+  awk -F ' *[|] *' -v OFS=' | ' '
+    !/^[|]/ { if ($0 != "" || !blank) print; blank = $0 == ""; next }
+    $2 ~ /^(bilinear|bicubic)$/ { next }
+    { blank = 0; print "| " $2, $3, $4, $5, $9, $10 " |" }' "$out/$name.judged"
 }
 
-for scene in penumbra rims still courtyard; do
-  render_missing "$scene" "$out/scenes-jitter" --width 480 --height 270 --frames 97
+for scene in penumbra rims plaza; do
+  render_missing "$scene" "$out/scenes-jitter" --width 320 --height 180 --frames 97 --samples 4
 done
-judge jitter-scenes --sequence "$out"/scenes-jitter/penumbra "$out"/scenes-jitter/rims \
-  "$out"/scenes-jitter/still "$out"/scenes-jitter/courtyard
-if [ -n "$data" ]; then judge jitter-recordings --sequence "$data"/*/sequence.json; fi
+set -- "$out"/scenes-jitter/penumbra "$out"/scenes-jitter/rims "$out"/scenes-jitter/plaza
+if [ -n "$data" ]; then set -- "$@" "$data"/*/sequence.json; fi
+table=$out/tables/jitter.md
+{
+  judge jitter --modes "$modes" --sequence "$@"
+  printf "\nWith a share of coherent residuals of 0.7 (--coherent-share):\n\n"
+  judge jitter-coherent --modes sr --coherent-share 0.7 --sequence "$@"
+} > "$table.part"
+mv "$table.part" "$table"

@@ -34,11 +34,11 @@ struct ErrorEnergy {
 //     d_f(p) = e_f(p) - mean of e_g(p) over the P frames g from f - floor(P / 2) on
 //     energy = mean over p and f of d_f(p) d_(f+P)(p)
 // e is an error of one channel (shown - reference), the p lie at least `border` from each edge.
-// The mean over a cycle takes away what is constant or changes slowly. A signal of period P
-// and mean 0 has its mean square, a sine of amplitude A therefore A^2 / 2. Noise that is independent
-// from frame to frame has 0 in the mean. The f are whole cycles: all frames in a row give
-// frames - 2 P + 1 of them, rounded down to a multiple of P and taken from the last ones, so that
-// three cycles less a frame are the least.
+// The mean over a cycle takes away what is constant or changes slowly. A signal of period P and
+// mean 0 has its mean square, a sine of amplitude A therefore A^2 / 2. Noise that is independent
+// from frame to frame has 0 in the mean. The f are whole cycles: all frames in a row give frames -
+// 2 P + 1 of them, rounded down to a multiple of P and taken from the last ones, so that three
+// cycles less a frame are the least.
 //
 // Memory: (2 P + 1) floats for each pixel. Rows on all threads, added in order: the same bits for
 // any number.
@@ -70,14 +70,13 @@ class JitterErrorSum {
   ErrorEnergy finished_;                                // of rows that have ended
 };
 
-// The energy of an error of one channel at the frequencies of the render grid: (1 / s_x, 0),
-// (0, 1 / s_y) and (1 / s_x, +-1 / s_y) cycles per output pixel, s = output / render size. Windows
-// of L, eight render pixels in each axis (Hann, overlapping by half) are weighed with each
-// frequency. The mean of the four squared amplitudes beside it, 2 / L away along x or y, is taken
-// off its own: a spectrum without a line has them too. A chequerboard of +-A at
-// s = 2 has A^2, a smooth error and white noise have 0 in the mean. Axes with s = 1 have no lattice.
-// Windows lie at least `border` from each edge; no values where none fits. The same bits for any
-// number of threads.
+// The energy of an error of one channel at the frequencies of the render grid: (1 / s_x, 0), (0, 1
+// / s_y) and (1 / s_x, +-1 / s_y) cycles per output pixel, s = output / render size. Windows of L,
+// eight render pixels in each axis (Hann, overlapping by half) are weighed with each frequency. The
+// mean of the four squared amplitudes beside it, 2 / L away along x or y, is taken off its own: a
+// spectrum without a line has them too. A chequerboard of +-A at s = 2 has A^2, a smooth error and
+// white noise have 0 in the mean. Axes with s = 1 have no lattice. Windows lie at least `border`
+// from each edge; no values where none fits. The same bits for any number of threads.
 ErrorEnergy LatticeEnergy(const Image& error, double scale_x, double scale_y, int border);
 
 }  // namespace warplut
