@@ -33,7 +33,7 @@ if [ -n "$data" ]; then set -- "$@" "$data"/*/sequence.json; fi
 table=$out/tables/jitter.md
 {
   judge jitter --modes "$modes" --sequence "$@"
-  printf "\nWith a share of coherent residuals of 0.7 (--coherent-share):\n\n"
+  printf "\nWith \`--coherent-share 0.7\`:\n\n"
   judge jitter-coherent --modes sr --coherent-share 0.7 --sequence "$@"
 } > "$table.part"
 mv "$table.part" "$table"

@@ -47,6 +47,8 @@ double LatticeOf(float coherent_share) {
       }
     }
     sr.Process({.color = color.view(),
+                .depth = {},
+                .motion = {},
                 .jitter_x = static_cast<float>(offset.x),
                 .jitter_y = static_cast<float>(offset.y)},
                out.view());
