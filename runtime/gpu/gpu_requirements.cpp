@@ -41,18 +41,11 @@ bool Holds(const GpuDevice& device, int width, int height, PixelFormat format, s
 bool GpuSuperResolution::IsRunnable(const GpuDevice& device, const SuperResolutionOptions& options,
                                     std::string* why) {
   if (options.peer != nullptr) return Refused(kNoPeers, why);
-<<<<<<< HEAD
-=======
-  if (options.reactive) {
-    return Refused("the options have a reactive mask; the GPU has super resolution without one",
-                   why);
-  }
   if (options.coherent_share > 0) {
     return Refused(
         "the options have a share of coherent residuals; the GPU has super resolution without one",
         why);
   }
->>>>>>> 0f80b76 (sr: a share of coherent residuals against lattices where light changes, as an option; docs, notes)
   const PixelFormat format = HistoryFormatOf(options);
   if (format != PixelFormat::kRgba16F && format != PixelFormat::kRgba32F) {
     return Refused(
