@@ -11,7 +11,7 @@
 #include "datasets/error.h"
 #include "datasets/jitter.h"
 #include "luts/certificate/certificate.h"
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/protocol_filter.h"
 #include "tools/terminal/warning.h"
 #include "train/replay/clip_texels.h"
 #include "train/replay/parameters_file.h"

@@ -6,9 +6,9 @@
 
 #include "tools/commands/command.h"
 #include "tools/commands/command_judge.h"
-#include "tools/judge/image_eval.h"
-#include "tools/judge/image_set.h"
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/image_eval.h"
+#include "tools/judge/images/image_set.h"
+#include "tools/judge/images/protocol_filter.h"
 #include "tools/table_format.h"
 
 namespace warplut {

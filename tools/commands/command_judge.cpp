@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "tools/commands/pipeline_options.h"
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/protocol_filter.h"
 
 namespace warplut {
 

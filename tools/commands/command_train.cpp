@@ -6,7 +6,7 @@
 #include "luts/footprint_names.h"
 #include "tools/commands/command.h"
 #include "tools/commands/pipeline_options.h"
-#include "tools/judge/image_set.h"
+#include "tools/judge/images/image_set.h"
 #include "tools/training/training_job.h"
 #include "tools/training/training_report.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tools/device.h"
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/protocol_filter.h"
 #include "tools/terminal/warning.h"
 
 namespace warplut {

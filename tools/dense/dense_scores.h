@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "datasets/frame.h"
-#include "tools/judge/compare.h"
+#include "tools/judge/images/compare.h"
 
 namespace warplut {
 

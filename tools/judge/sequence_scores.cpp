@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "datasets/error.h"
-#include "tools/judge/image_set.h"
+#include "tools/judge/images/image_set.h"
 #include "train/metrics/luma.h"
 #include "train/replay/image_views.h"
 #include "train/replay/judged_frames.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/judge/compare.h"
+#include "tools/judge/images/compare.h"
 #include "train/metrics/jitter_error.h"
 #include "train/metrics/temporal_error.h"
 #include "train/replay/mode_run.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "datasets/error.h"
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/protocol_filter.h"
 #include "tools/profile/omission.h"
 #include "train/replay/parameters_file.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/judge/image_set.h"
+#include "tools/judge/images/image_set.h"
 
 namespace warplut {
 namespace {

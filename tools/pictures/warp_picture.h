@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "tools/judge/warp_protocol.h"
+#include "tools/judge/images/warp_protocol.h"
 
 namespace warplut {
 

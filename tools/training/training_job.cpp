@@ -9,7 +9,7 @@
 #include "datasets/file.h"
 #include "luts/fit/fit.h"
 #include "luts/footprint_names.h"
-#include "tools/judge/image_set.h"
+#include "tools/judge/images/image_set.h"
 #include "tools/terminal/interrupt.h"
 #include "tools/terminal/progress.h"
 #include "tools/usage_error.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "datasets/error.h"
-#include "tools/judge/image_set.h"
+#include "tools/judge/images/image_set.h"
 
 namespace warplut {
 namespace {

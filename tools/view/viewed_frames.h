@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/judge/compare.h"
+#include "tools/judge/images/compare.h"
 
 namespace warplut {
 

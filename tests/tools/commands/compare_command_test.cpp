@@ -10,7 +10,7 @@
 #include "tests/tools/program.h"
 #include "tests/tools/test_images.h"
 #include "tests/train/replay/pan_sequence.h"
-#include "tools/judge/compare.h"
+#include "tools/judge/images/compare.h"
 
 namespace warplut {
 namespace {

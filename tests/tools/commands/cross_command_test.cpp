@@ -11,7 +11,7 @@
 #include "tests/luts/test_fits.h"
 #include "tests/tools/program.h"
 #include "tests/tools/test_images.h"
-#include "tools/judge/sr_cross.h"
+#include "tools/judge/images/sr_cross.h"
 #include "train/fit/rivals/keys_search.h"
 
 namespace warplut {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "datasets/image.h"
-#include "tools/judge/compare.h"
+#include "tools/judge/images/compare.h"
 
 namespace warplut {
 

@@ -10,8 +10,8 @@
 #include "luts/fit/head.h"
 #include "luts/quantize/real_table.h"
 #include "luts/table.h"
-#include "tools/judge/plain_warp.h"
-#include "tools/judge/six_taps.h"
+#include "tools/judge/images/plain_warp.h"
+#include "tools/judge/images/six_taps.h"
 
 namespace warplut {
 

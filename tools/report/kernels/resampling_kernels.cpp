@@ -11,7 +11,7 @@
 #include "runtime/executor.h"
 #include "runtime/image_buffer.h"
 #include "runtime/prefilter.h"
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/protocol_filter.h"
 #include "tools/report/kernels/plain_samplers.h"
 #include "tools/table_format.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "runtime/warp.h"
-#include "tools/judge/warp_protocol.h"
+#include "tools/judge/images/warp_protocol.h"
 #include "tools/report/report_inputs.h"
 
 namespace warplut {

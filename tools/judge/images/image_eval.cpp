@@ -1,4 +1,4 @@
-#include "tools/judge/image_eval.h"
+#include "tools/judge/images/image_eval.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include "datasets/file.h"
 #include "datasets/images/image_io.h"
 #include "luts/bake/table_io.h"
-#include "tools/judge/image_set.h"
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/image_set.h"
+#include "tools/judge/images/protocol_filter.h"
 #include "tools/pictures/warp_picture.h"
 #include "tools/table_format.h"
 #include "tools/terminal/interrupt.h"

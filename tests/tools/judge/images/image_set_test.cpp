@@ -1,4 +1,4 @@
-#include "tools/judge/image_set.h"
+#include "tools/judge/images/image_set.h"
 
 #include <gtest/gtest.h>
 

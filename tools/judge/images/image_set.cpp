@@ -1,4 +1,4 @@
-#include "tools/judge/image_set.h"
+#include "tools/judge/images/image_set.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

@@ -1,4 +1,4 @@
-#include "tools/judge/filter_scores.h"
+#include "tools/judge/images/filter_scores.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "datasets/error.h"
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/protocol_filter.h"
 #include "train/fit/rivals/golden_section.h"
 
 namespace warplut {

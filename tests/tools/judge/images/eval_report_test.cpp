@@ -1,4 +1,4 @@
-#include "tools/judge/eval_report.h"
+#include "tools/judge/images/eval_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/test_images.h"
-#include "tools/judge/filter_scores.h"
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/filter_scores.h"
+#include "tools/judge/images/protocol_filter.h"
 
 namespace warplut {
 namespace {

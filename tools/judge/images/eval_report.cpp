@@ -1,10 +1,10 @@
-#include "tools/judge/eval_report.h"
+#include "tools/judge/images/eval_report.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "tools/judge/image_set.h"
+#include "tools/judge/images/image_set.h"
 
 namespace warplut {
 namespace {

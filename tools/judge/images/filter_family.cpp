@@ -1,6 +1,6 @@
-#include "tools/judge/filter_family.h"
+#include "tools/judge/images/filter_family.h"
 
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/protocol_filter.h"
 
 namespace warplut {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/judge/filter_family.h"
-#include "tools/judge/warp_protocol.h"
+#include "tools/judge/images/filter_family.h"
+#include "tools/judge/images/warp_protocol.h"
 
 namespace warplut {
 

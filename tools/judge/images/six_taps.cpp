@@ -1,4 +1,4 @@
-#include "tools/judge/six_taps.h"
+#include "tools/judge/images/six_taps.h"
 
 #include <algorithm>
 #include <cmath>

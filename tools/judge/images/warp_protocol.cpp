@@ -1,11 +1,11 @@
-#include "tools/judge/warp_protocol.h"
+#include "tools/judge/images/warp_protocol.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 
-#include "tools/judge/plane.h"
+#include "tools/judge/images/plane.h"
 
 namespace warplut {
 namespace {

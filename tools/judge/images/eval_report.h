@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/judge/filter_scores.h"
+#include "tools/judge/images/filter_scores.h"
 #include "tools/tables/table_text.h"
 
 namespace warplut {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-#include "tools/judge/warp_protocol.h"
+#include "tools/judge/images/warp_protocol.h"
 #include "train/fit/rivals/golden_section.h"
 
 namespace warplut {

@@ -1,6 +1,6 @@
-#include "tools/judge/sr_cross.h"
+#include "tools/judge/images/sr_cross.h"
 
-#include "tools/judge/warp_protocol.h"
+#include "tools/judge/images/warp_protocol.h"
 #include "train/fit/objective/prefilter_map.h"
 #include "train/fit/objective/sr_objective.h"
 #include "train/fit/random.h"

@@ -1,4 +1,4 @@
-#include "tools/judge/filter_scores.h"
+#include "tools/judge/images/filter_scores.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

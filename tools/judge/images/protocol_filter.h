@@ -6,7 +6,7 @@
 #include <string>
 
 #include "runtime/warp.h"
-#include "tools/judge/warp_protocol.h"
+#include "tools/judge/images/warp_protocol.h"
 
 namespace warplut {
 
@@ -27,8 +27,8 @@ std::optional<WarpOptions> NamedWarp(const std::string& name);
 // What NamedWarp takes, for help and errors. A, K: decimal numbers or fractions such as 1/84.
 std::string WarpNames();
 
-// NamedWarp, or one of the six-tap filters of tools/judge/six_taps.h ("kaiser6:B", "lanczos3"), as
-// a protocol takes it. An Error names what else was found.
+// NamedWarp, or one of the six-tap filters of tools/judge/images/six_taps.h ("kaiser6:B",
+// "lanczos3"), as a protocol takes it. An Error names what else was found.
 ProtocolFilter NamedFilter(const std::string& name);
 
 // "keys:-0.5800"

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "luts/wide_kernel.h"
-#include "tools/judge/plain_warp.h"
+#include "tools/judge/images/plain_warp.h"
 
 namespace warplut {
 

@@ -1,4 +1,4 @@
-#include "tools/judge/compare.h"
+#include "tools/judge/images/compare.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 
 #include "datasets/error.h"
 #include "datasets/images/image_io.h"
-#include "tools/judge/image_set.h"
-#include "tools/judge/plane.h"
+#include "tools/judge/images/image_set.h"
+#include "tools/judge/images/plane.h"
 #include "train/metrics/luma.h"
 #include "train/metrics/psnr.h"
 #include "train/metrics/ssim.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/judge/eval_report.h"
+#include "tools/judge/images/eval_report.h"
 #include "tools/pipeline.h"
 
 namespace warplut {

@@ -1,4 +1,4 @@
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/protocol_filter.h"
 
 #include <gtest/gtest.h>
 

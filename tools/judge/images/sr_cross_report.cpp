@@ -1,4 +1,4 @@
-#include "tools/judge/sr_cross_report.h"
+#include "tools/judge/images/sr_cross_report.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "tools/judge/protocol_filter.h"
+#include "tools/judge/images/protocol_filter.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include "runtime/executor.h"
 #include "runtime/image_buffer.h"
 #include "runtime/prefilter.h"
-#include "tools/judge/filter_family.h"
-#include "tools/judge/plain_warp.h"
-#include "tools/judge/six_taps.h"
+#include "tools/judge/images/filter_family.h"
+#include "tools/judge/images/plain_warp.h"
+#include "tools/judge/images/six_taps.h"
 
 namespace warplut {
 namespace {

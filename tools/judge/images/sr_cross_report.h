@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tools/judge/sr_cross.h"
+#include "tools/judge/images/sr_cross.h"
 #include "tools/tables/record_table.h"
 #include "tools/tables/table_text.h"
 
