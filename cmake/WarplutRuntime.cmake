@@ -38,6 +38,9 @@ function(warplut_runtime_library name)
     generation/mesh_projection_reference.cpp
     generation/mesh_warp.cpp
     generation/mesh_warp_reference.cpp
+    rays/depth_pyramid.cpp
+    rays/screen_mesh.cpp
+    rays/screen_ray.cpp
     sr/fsr2.cpp
     sr/fsr2_reference.cpp
     sr/sgsr2.cpp

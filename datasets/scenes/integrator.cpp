@@ -14,7 +14,7 @@ Lens LensAt(const World& world, double time, int shot, double aspect) {
   return {world.camera(time, shot), aspect, world.near_plane, world.far_plane};
 }
 
-Vec3d Reflect(const Vec3d& direction, const Vec3d& normal) {
+Vec3d Mirrored(const Vec3d& direction, const Vec3d& normal) {
   return direction - 2 * direction.dot(normal) * normal;
 }
 
@@ -80,7 +80,7 @@ Path Integrator::Follow(const Vec2d& position) const {
   path.mirror_point = path.point;
   path.mirror_normal = Interpolate(path.hit, path.direction).normal.cast<double>();
   origin = path.point;
-  path.direction = Reflect(path.direction, path.mirror_normal);
+  path.direction = Mirrored(path.direction, path.mirror_normal);
   constexpr float kClear = 1e-3f;  // metres
   path.hit = moment_.Intersect(origin, path.direction, kClear);
   if (path.hit.object >= 0) {
@@ -88,6 +88,30 @@ Path Integrator::Follow(const Vec2d& position) const {
     path.length += path.hit.distance;
   }
   return path;
+}
+
+std::optional<Reflection> Integrator::Reflect(const Vec2d& position) const {
+  const auto near = static_cast<float>(world_.near_plane);
+  const Vec3d eye = lens_.eye(), seen = lens_.Direction(position);
+  const Hit first = moment_.Intersect(eye, seen, near);
+  if (first.object < 0) return std::nullopt;
+  const Vec3d surface = eye + first.distance * seen;
+  const Vec3d normal = Interpolate(first, seen).normal.cast<double>();
+  Reflection reflection;
+  reflection.origin = surface + footprint_ * lens_.Depth(surface) * normal;
+  reflection.direction = Mirrored(seen, normal);
+  reflection.hit = moment_.Intersect(reflection.origin, reflection.direction);
+  if (reflection.hit.object < 0) return reflection;
+  reflection.point = reflection.origin + reflection.hit.distance * reflection.direction;
+  const auto at = lens_.Project(reflection.point);
+  if (!at || at->minCoeff() < 0 || at->maxCoeff() >= 1) return reflection;
+  const Vec3d offset = reflection.point - eye, to_point = offset.normalized();
+  const Hit nearest = moment_.Intersect(eye, to_point, near);
+  constexpr double kSame = 1e-3;  // of the distance
+  const bool is_nearest = nearest.object >= 0 && nearest.distance >= (1 - kSame) * offset.norm();
+  const Vec3d towards = Interpolate(reflection.hit, reflection.direction).normal.cast<double>();
+  reflection.is_visible = is_nearest && towards.dot(to_point) < 0;
+  return reflection;
 }
 
 Rgb Integrator::Shade(const Path& path) const {
@@ -162,7 +186,7 @@ std::optional<Vec2d> Integrator::Previous(const Path& path) const {
   }
   // The image behind the mirror is what projects: reflect across the plane as it was.
   const Vec3d normal = DirectionBefore(path.mirror.object, path.mirror_normal);
-  if (sky) return lens_before_.ProjectFromEye(Reflect(path.direction, normal));
+  if (sky) return lens_before_.ProjectFromEye(Mirrored(path.direction, normal));
   const Vec3d on_plane = PointBefore(path.mirror.object, path.mirror_point);
   const Vec3d point = PointBefore(path.hit.object, path.point);
   return lens_before_.Project(point - 2 * (point - on_plane).dot(normal) * normal);

@@ -22,6 +22,14 @@ struct Path {
   Vec3d mirror_normal = Vec3d::Zero();
 };
 
+// The ray that a mirror in place of a surface reflects, and what it meets.
+struct Reflection {
+  Vec3d origin, direction;  // unit direction
+  Hit hit;                  // object -1: sky
+  Vec3d point;              // that is hit
+  bool is_visible = false;  // to the camera, and from the side that is hit
+};
+
 // One frame of a world. Positions are (u, v) in [0, 1]^2 as in Lens; the methods may run in any
 // threads.
 class Integrator {
@@ -33,6 +41,9 @@ class Integrator {
              double aspect, double footprint);
 
   Path Follow(const Vec2d& position) const;
+  // A mirror about the interpolated normal of the surface at the position. The ray begins over the
+  // surface by the width of the footprint at its depth. Nothing where the camera sees the sky.
+  std::optional<Reflection> Reflect(const Vec2d& position) const;
   // Radiance along the path.
   Rgb Radiance(const Path& path) const;
   // View depth over far, clamped to 1; of the mirror's surface if there is a mirror.

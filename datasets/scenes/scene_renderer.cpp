@@ -181,6 +181,15 @@ struct SceneRenderer::State {
     return Integrator(world, tracer, Time(frame), FrameSeconds(), Shot(frame), Aspect(),
                       LensAt(frame).PixelAngle(options.height));
   }
+  // Calls each(i) for 0 <= i < count, runs of them on one thread.
+  template <class Each>
+  void ForEachSample(std::size_t count, const Each& each) const {
+    constexpr std::size_t kRun = 256;
+    ForEachRow(static_cast<int>((count + kRun - 1) / kRun), [&](int run) {
+      const std::size_t begin = static_cast<std::size_t>(run) * kRun;
+      for (std::size_t i = begin; i < std::min(begin + kRun, count); ++i) each(i);
+    });
+  }
   // Calls row(y) for 0 <= y < rows on the threads of the options.
   template <class Row>
   void ForEachRow(int rows, const Row& row) const {
@@ -255,20 +264,43 @@ std::vector<SceneSample> SceneRenderer::Trace(int index, std::span<const Vec2> p
   const Vec2d size(options.width, options.height);
   const bool cut = state_->Cut(index);
   std::vector<SceneSample> samples(positions.size());
-  constexpr std::size_t kRun = 256;  // samples that one thread takes at once
-  const std::size_t runs = (positions.size() + kRun - 1) / kRun;
-  state_->ForEachRow(static_cast<int>(runs), [&](int run) {
-    const std::size_t begin = static_cast<std::size_t>(run) * kRun;
-    for (std::size_t i = begin; i < std::min(begin + kRun, positions.size()); ++i) {
-      const Vec2d at = Vec2d(positions[i].x, positions[i].y).cwiseQuotient(size);
-      const Path path = integrator.Follow(at);
-      const scenes::Rgb colour = Colour(integrator, options, path);
-      samples[i] = {{colour[0], colour[1], colour[2]},
-                    integrator.Depth(path),
-                    Motion(integrator, path, at, size, cut)};
-    }
+  state_->ForEachSample(positions.size(), [&](std::size_t i) {
+    const Vec2d at = Vec2d(positions[i].x, positions[i].y).cwiseQuotient(size);
+    const Path path = integrator.Follow(at);
+    const scenes::Rgb colour = Colour(integrator, options, path);
+    samples[i] = {{colour[0], colour[1], colour[2]},
+                  integrator.Depth(path),
+                  Motion(integrator, path, at, size, cut)};
   });
   return samples;
+}
+
+std::vector<SceneReflection> SceneRenderer::Reflect(int index,
+                                                    std::span<const Vec2> positions) const {
+  const RenderOptions& options = state_->options;
+  state_->CheckFrame(index);
+  const Integrator integrator = state_->IntegratorAt(index);
+  const scenes::Lens lens = state_->LensAt(index);
+  const Vec2d size(options.width, options.height);
+  std::vector<SceneReflection> reflections(positions.size());
+  state_->ForEachSample(positions.size(), [&](std::size_t i) {
+    const auto traced =
+        integrator.Reflect(Vec2d(positions[i].x, positions[i].y).cwiseQuotient(size));
+    if (!traced) return;
+    SceneReflection& reflection = reflections[i];
+    const auto stored = [](const scenes::Vec3d& v) {
+      return std::array<double, 3>{v.x(), v.y(), v.z()};
+    };
+    reflection.is_surface = true;
+    reflection.origin = stored(lens.ToView(traced->origin - lens.eye()));
+    reflection.direction = stored(lens.ToView(traced->direction));
+    reflection.is_hit = traced->hit.object >= 0;
+    reflection.is_visible = traced->is_visible;
+    if (!traced->is_visible) return;
+    const Vec2d at = lens.Project(traced->point)->cwiseProduct(size);
+    reflection.position = {at.x(), at.y()};
+  });
+  return reflections;
 }
 
 }  // namespace warplut

@@ -63,6 +63,16 @@ struct SceneSample {
   std::array<float, 2> motion{};
 };
 
+// The ray that a mirror in place of a surface reflects, in view space: x right, y down, z the
+// depth, scene units. It begins over the surface by the width of a pixel at its depth.
+struct SceneReflection {
+  bool is_surface = false;  // false: the sky is seen, and nothing is reflected
+  std::array<double, 3> origin{}, direction{};
+  bool is_hit = false;      // false: the ray meets the sky
+  bool is_visible = false;  // the camera sees what the ray hits, from the same side
+  Vec2 position;            // of that, in pixels of the output grid; where it is visible
+};
+
 // Renders the frames of one scene.
 //
 // reference   mean of `samples` samples that are distributed as the pixel filter, each tone-mapped
@@ -94,6 +104,10 @@ class SceneRenderer {
   // Traces frame `index` at these positions of the output grid, in pixels, and nowhere else: sample
   // i is that of positions[i], color one sample as on the render grid.
   std::vector<SceneSample> Trace(int index, std::span<const Vec2> positions) const;
+
+  // The reflections about the normals of the surfaces (without their relief) at these positions of
+  // the output grid, in frame `index`.
+  std::vector<SceneReflection> Reflect(int index, std::span<const Vec2> positions) const;
 
   const RenderOptions& options() const;
   int render_width() const;

@@ -27,6 +27,10 @@ Vec3d Lens::Direction(const Vec2d& position) const {
   return (view_.axes * local).normalized();
 }
 
+Vec3d Lens::ToView(const Vec3d& offset) const {
+  return Vec3d(1, -1, -1).cwiseProduct(view_.axes.transpose() * offset);
+}
+
 double Lens::Depth(const Vec3d& point) const { return -view_.axes.col(2).dot(point - view_.eye); }
 
 std::optional<Vec2d> Lens::ProjectFromEye(const Vec3d& offset) const {

@@ -26,6 +26,9 @@ class Lens {
   const Vec3d& eye() const { return view_.eye; }
   // Unit direction in the world through the position.
   Vec3d Direction(const Vec2d& position) const;
+  // A world direction, or the offset of a world point from the eye, in view space: x right, y down,
+  // z along the viewing axis.
+  Vec3d ToView(const Vec3d& offset) const;
   // View depth of a world point: distance along the viewing axis.
   double Depth(const Vec3d& point) const;
   // Where a world point, or a point at infinity in a world direction, projects; nothing when it is

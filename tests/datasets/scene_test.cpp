@@ -158,6 +158,49 @@ TEST(SceneRenderer, TracesTheSamplesThatAreAskedFor) {
   EXPECT_THROW(renderer.Trace(options.frames, positions), Error);
 }
 
+// The point that a reflected ray meets is what the camera sees where the ray is said to end.
+TEST(SceneRenderer, ReflectionsEndWhereTheCameraSeesThem) {
+  const RenderOptions options = Small();
+  const SceneRenderer renderer("colonnade", options);
+  std::vector<Vec2> positions;
+  for (int y = 0; y < options.height; ++y) {
+    for (int x = 0; x < options.width; x += 2) positions.push_back({x + 0.5, y + 0.5});
+  }
+  const std::vector<SceneReflection> reflections = renderer.Reflect(1, positions);
+  std::vector<Vec2> ends;
+  for (const SceneReflection& reflection : reflections) ends.push_back(reflection.position);
+  const std::vector<SceneSample> seen = renderer.Trace(1, ends);
+  const std::vector<SceneSample> surfaces = renderer.Trace(1, positions);
+  const Camera camera = renderer.CameraAt(1);
+  const double fx = camera.projection[0] * options.width / 2;
+  const double fy = camera.projection[5] * options.height / 2;
+  int visible = 0;
+  for (std::size_t i = 0; i < reflections.size(); ++i) {
+    const SceneReflection& r = reflections[i];
+    const auto [x, y, z] = r.origin;
+    const auto [dx, dy, dz] = r.direction;
+    EXPECT_EQ(r.is_surface, surfaces[i].depth < 1);
+    if (!r.is_surface) continue;
+    EXPECT_NEAR(dx * dx + dy * dy + dz * dz, 1, 1e-5);
+    // A pixel over the surface.
+    EXPECT_LE(std::hypot(options.width * 0.5 + fx * x / z - positions[i].x,
+                         options.height * 0.5 + fy * y / z - positions[i].y),
+              1.2);
+    if (!r.is_visible) continue;
+    ++visible;
+    EXPECT_TRUE(r.is_hit);
+    // The point that is seen lies on the ray.
+    const double depth = seen[i].depth * renderer.far_plane();
+    const double px = (r.position.x - options.width * 0.5) / fx * depth - x;
+    const double py = (r.position.y - options.height * 0.5) / fy * depth - y, pz = depth - z;
+    const double along = px * dx + py * dy + pz * dz;
+    EXPECT_GT(along, 0);
+    EXPECT_LE(std::hypot(px - along * dx, py - along * dy, pz - along * dz), 0.01 * depth);
+  }
+  EXPECT_GT(visible, 20);
+  EXPECT_THROW(renderer.Reflect(options.frames, positions), Error);
+}
+
 // Frame 8 at 240 frames per second is frame 1 at 30, with about an eighth of its motion.
 TEST(SceneRenderer, RatesShareTheirMoments) {
   RenderOptions options = Small();

@@ -42,6 +42,7 @@ void AddReportCommand(Command app, CommandRun* run);
 void AddRunCommand(Command app, CommandRun* run);
 void AddStabilityCommand(Command app, CommandRun* run);
 void AddDenseCommand(Command app, CommandRun* run);
+void AddReflectionsCommand(Command app, CommandRun* run);
 void AddCompareCommand(Command app, CommandRun* run);
 void AddBenchCommand(Command app, CommandRun* run);
 void AddViewCommand(Command app, CommandRun* run);
@@ -50,11 +51,11 @@ void AddManCommand(Command app, CommandRun* run);
 
 // The subcommands in the order of the data flow.
 inline constexpr CommandAdder kCommands[] = {
-    AddDatasetCommand, AddTrainCommand,   AddBakeCommand,      AddEvalCommand,
-    AddCrossCommand,   AddJudgeCommand,   AddCalibrateCommand, AddProfileCommand,
-    AddRunCommand,     AddCompareCommand, AddViewCommand,      AddBenchCommand,
-    AddDenseCommand,   AddReportCommand,  AddStabilityCommand, AddCompletionCommand,
-    AddManCommand};
+    AddDatasetCommand,    AddTrainCommand,       AddBakeCommand,      AddEvalCommand,
+    AddCrossCommand,      AddJudgeCommand,       AddCalibrateCommand, AddProfileCommand,
+    AddRunCommand,        AddCompareCommand,     AddViewCommand,      AddBenchCommand,
+    AddDenseCommand,      AddReflectionsCommand, AddReportCommand,    AddStabilityCommand,
+    AddCompletionCommand, AddManCommand};
 
 // Adds and returns the option `--json` that every command has.
 CommandOption AddJsonOption(Command command, bool* json);

@@ -25,7 +25,7 @@ inline PixelIndex SteepestOf(const GenerationJob& job, int x0, int x1, int y0, i
   const FloatTag d;
   const IntTag di;
   const int chunks = (x1 - x0 + kLanes - 1) / kLanes;
-  if (x0 + chunks * kLanes + 1 > job.width()) return SteepestPixel(job, x0, x1, y0, y1);
+  if (x0 + chunks * kLanes + 1 > job.width()) return SteepestPixel(job.depth1, x0, x1, y0, y1);
   PixelIndex steepest{x0, y0};
   float most = 0;
   for (int x = x0; x < x1; x += kLanes) {

@@ -19,7 +19,9 @@ namespace warplut::peers {
 namespace {
 
 RowRange PlaceVertexRowReference(const GenerationJob& job, int y, const MutableMotionView& buffer) {
-  return PlaceVertices(job, y, buffer, SteepestPixel);
+  return PlaceVertices(job, y, buffer, [](const GenerationJob& of, int x0, int x1, int y0, int y1) {
+    return SteepestPixel(of.depth1, x0, x1, y0, y1);
+  });
 }
 
 void DrawQuadRowReference(const GenerationJob& job, const MotionView& buffer, int y,

@@ -59,6 +59,9 @@ class VertexGrid {
     return static_cast<int>(job.options.parameters.mesh_tile + 0.5f);
   }
 
+  // Vertices along an axis: one for each tile, and at least the two borders.
+  static int Count(int size, int tile) { return std::max(2, (size + tile - 1) / tile); }
+
   int tile() const { return tile_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -83,9 +86,6 @@ class VertexGrid {
   }
 
  private:
-  // One for each tile, and at least the two borders.
-  static int Count(int size, int tile) { return std::max(2, (size + tile - 1) / tile); }
-
   int tile_, columns_, rows_;
   float* floats_;
 };
@@ -116,7 +116,20 @@ inline float InverseOf(float depth) {
 }
 
 // The pixel of the largest gradient among columns [x0, x1) and rows [y0, y1).
-PixelIndex SteepestPixel(const GenerationJob& job, int x0, int x1, int y0, int y1);
+PixelIndex SteepestPixel(const ImageView& depth, int x0, int x1, int y0, int y1);
+
+// F and B of the vertex at the steepest pixel n.
+struct VertexPixels {
+  PixelIndex front, back;
+};
+VertexPixels VertexPixelsAround(const ImageView& depth, PixelIndex n);
+
+// A coordinate of vertex `index` of `count` along an axis of `size` pixels: on the border for the
+// first and the last.
+inline float Anchored(float at, int index, int count, int size) {
+  if (index == 0) return -0.5f;
+  return index == count - 1 ? static_cast<float>(size) - 0.5f : at;
+}
 
 // Writes the vertex of column and row, whose tile has the steepest pixel n, to the grid.
 void PlaceVertex(const GenerationJob& job, const VertexGrid& grid, int column, int row,

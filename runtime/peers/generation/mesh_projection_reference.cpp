@@ -8,10 +8,9 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-float SquaredGradient(const GenerationJob& job, int x, int y) {
+float SquaredGradient(const ImageView& depth, int x, int y) {
   const auto inverse = [&](int i, int j) {
-    return InverseOf(
-        DepthAt(job.depth1, std::min(i, job.width() - 1), std::min(j, job.height() - 1)));
+    return InverseOf(DepthAt(depth, std::min(i, depth.width - 1), std::min(j, depth.height - 1)));
   };
   const float here = inverse(x, y);
   const float right = inverse(x + 1, y) - here, down = inverse(x, y + 1) - here;
@@ -50,12 +49,12 @@ Carried CarryAt(const GenerationJob& job, Vector p, PixelIndex n) {
   return {at, std::min(depth < kFarthestDepth ? depth * point.w : depth, kFarthestDepth), shown};
 }
 
-PixelIndex SteepestPixel(const GenerationJob& job, int x0, int x1, int y0, int y1) {
+PixelIndex SteepestPixel(const ImageView& depth, int x0, int x1, int y0, int y1) {
   PixelIndex steepest{x0, y0};
   float most = 0;
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {
-      const float gradient = SquaredGradient(job, x, y);
+      const float gradient = SquaredGradient(depth, x, y);
       if (!(gradient > most)) continue;
       most = gradient;
       steepest = {x, y};
@@ -64,16 +63,21 @@ PixelIndex SteepestPixel(const GenerationJob& job, int x0, int x1, int y0, int y
   return steepest;
 }
 
-void PlaceVertex(const GenerationJob& job, const VertexGrid& grid, int column, int row,
-                 PixelIndex n) {
+VertexPixels VertexPixelsAround(const ImageView& depth, PixelIndex n) {
   PixelIndex front = n, back = n;
-  for (int y = std::max(n.y - 1, 0); y <= std::min(n.y + 1, job.height() - 1); ++y) {
-    for (int x = std::max(n.x - 1, 0); x <= std::min(n.x + 1, job.width() - 1); ++x) {
-      const float depth = DepthAt(job.depth1, x, y);
-      if (depth < DepthAt(job.depth1, front.x, front.y)) front = {x, y};
-      if (depth > DepthAt(job.depth1, back.x, back.y)) back = {x, y};
+  for (int y = std::max(n.y - 1, 0); y <= std::min(n.y + 1, depth.height - 1); ++y) {
+    for (int x = std::max(n.x - 1, 0); x <= std::min(n.x + 1, depth.width - 1); ++x) {
+      const float here = DepthAt(depth, x, y);
+      if (here < DepthAt(depth, front.x, front.y)) front = {x, y};
+      if (here > DepthAt(depth, back.x, back.y)) back = {x, y};
     }
   }
+  return {front, back};
+}
+
+void PlaceVertex(const GenerationJob& job, const VertexGrid& grid, int column, int row,
+                 PixelIndex n) {
+  const auto [front, back] = VertexPixelsAround(job.depth1, n);
   const auto place = [](PixelIndex p) {
     return Vector{static_cast<float>(p.x), static_cast<float>(p.y)};
   };
@@ -85,13 +89,10 @@ void PlaceVertex(const GenerationJob& job, const VertexGrid& grid, int column, i
       background.shown && keeps_direction && Farther(after) > job.options.parameters.mesh_tensile;
   MeshVertex vertex{foreground.shown ? foreground.at : Vector{kNan, kNan},
                     place(apart ? back : front)};
-  const auto anchor = [](float& at, float& shows, float border) { at = shows = border; };
-  const float right = static_cast<float>(job.width()) - 0.5f;
-  const float bottom = static_cast<float>(job.height()) - 0.5f;
-  if (column == 0) anchor(vertex.at.x, vertex.shows.x, -0.5f);
-  if (column == grid.columns() - 1) anchor(vertex.at.x, vertex.shows.x, right);
-  if (row == 0) anchor(vertex.at.y, vertex.shows.y, -0.5f);
-  if (row == grid.rows() - 1) anchor(vertex.at.y, vertex.shows.y, bottom);
+  for (Vector* at : {&vertex.at, &vertex.shows}) {
+    at->x = Anchored(at->x, column, grid.columns(), job.width());
+    at->y = Anchored(at->y, row, grid.rows(), job.height());
+  }
   grid.Set(column, row, vertex);
 }
 
