@@ -2,9 +2,9 @@
 //
 // Level 0 has the inverse depth of each pixel, 0 where depth is NaN, negative or infinite. Each
 // further level halves the size, rounded up, and keeps the nearest of 2 x 2: the greatest inverse
-// depth. The last level has one texel. Each pixel is a surface that fills the depths from its own to
-// (1 + thickness) times that. Source: Uludag, "Hi-Z Screen-Space Cone-Traced Reflections", GPU Pro
-// 5, 2014.
+// depth. The last level has one texel. Each pixel is a surface that fills the depths from its own
+// to (1 + thickness) times that. Source: Uludag, "Hi-Z Screen-Space Cone-Traced Reflections", GPU
+// Pro 5, 2014.
 #pragma once
 
 #include <vector>

@@ -5,8 +5,8 @@
 // 3 x 3 pixels around the steepest one, anchored at the border of the screen in the first and last
 // row and column. A vertex whose B, the farthest of these pixels, is not alike in depth is torn: it
 // has both depths. Each triangle takes there F or B, so that the inverse depths of its corners
-// differ least; of equal choices that with more of F. So the mesh ends at the edge of an object,
-// and goes on behind. Triangles are planes in position and inverse depth, as those of the world are.
+// differ least; of equal choices that with more of F. So the mesh ends at the edge of an object
+// and goes on behind. Triangles are planes in position and inverse depth, as in the world.
 #pragma once
 
 #include <array>
