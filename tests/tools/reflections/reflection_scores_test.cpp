@@ -27,10 +27,10 @@ struct Hall {
   }
 };
 
-// Rays from the floor that meet the wall, but for those that leave the screen before.
+// Rays from the floor that meet the wall, away from the edge between them: the mesh cuts it off.
 std::vector<SceneReflection> OfFloor() {
   std::vector<SceneReflection> reflections(1);  // sky
-  for (int y = 45; y < kHeight; y += 4) {
+  for (int y = 53; y < kHeight; y += 4) {
     for (int x = 8; x < kWidth - 8; x += 8) {
       const double z = kFloor / ((y + 0.5 - kPinhole.cy) / kPinhole.fy);
       SceneReflection r;
@@ -60,7 +60,7 @@ TEST(ReflectionScores, AllIsFoundWhereAllIsPlane) {
   const Hall hall;
   const ReflectionReport report =
       ScoreReflections("hall", hall.view(), kPinhole, OfFloor(), Exact());
-  EXPECT_EQ(report.rays, 50);
+  EXPECT_EQ(report.rays, 30);
   EXPECT_GT(report.findable, 0.5);
   ASSERT_EQ(report.methods.size(), 3U);
   for (const ReflectionScores& scores : report.methods) {
@@ -85,7 +85,7 @@ TEST(ReflectionScores, EachHitCountsOnce) {
        ScoreReflections("hall", hall.view(), kPinhole, reflections, Exact()).methods) {
     EXPECT_DOUBLE_EQ(scores.misplaced, static_cast<double>(moved) / (all - hidden));
     EXPECT_DOUBLE_EQ(scores.found, 1 - scores.misplaced);
-    EXPECT_DOUBLE_EQ(scores.false_hits, static_cast<double>(hidden) / (50 - (all - hidden)));
+    EXPECT_DOUBLE_EQ(scores.false_hits, static_cast<double>(hidden) / (30 - (all - hidden)));
   }
 }
 
