@@ -122,7 +122,7 @@ TEST_F(CommandLine, ListsTheScenes) {
   const ProgramResult text = RunWarplut({"dataset", "scenes"});
   EXPECT_EQ(text.code, 0);
   EXPECT_THAT(text.out,
-              testing::AllOf(testing::HasSubstr("training"), testing::HasSubstr("held out")));
+              testing::AllOf(testing::HasSubstr("training"), testing::HasSubstr("held-out")));
   EXPECT_THAT(RunWarplut({"dataset", "scenes", "--json"}).out, testing::HasSubstr("\"purpose\""));
 }
 

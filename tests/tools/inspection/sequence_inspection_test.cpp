@@ -70,7 +70,8 @@ TEST(ProblemText, TellsTheFirstAndHowManyMore) {
 }
 
 TEST(SelectScenes, PartsMakeTheWhole) {
-  EXPECT_EQ(SelectScenes("training").size() + SelectScenes("held-out").size(),
+  EXPECT_EQ(SelectScenes("training").size() + SelectScenes("held-out").size() +
+                SelectScenes("fault").size(),
             SelectScenes("all").size());
   EXPECT_EQ(SelectScenes("still"), std::vector<std::string>{"still"});
   EXPECT_GE(SelectScenes("training").size(), 4U);
