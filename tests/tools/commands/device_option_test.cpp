@@ -134,6 +134,8 @@ TEST_P(DeviceOption, OptionsThatTheGpuLacksLeaveNothingBehind) {
     GTEST_SKIP() << gpu.err;
   }
   ExpectRefused(gpu, kFailed, "the history format is rgba8; the GPU takes rgba16f or rgba32f");
+  ExpectRefused(Run("sr", device_, {"--coherent-share", "0.7"}), kFailed,
+                "a share of coherent residuals");
   EXPECT_FALSE(fs::exists(Path(device_)));
 }
 
