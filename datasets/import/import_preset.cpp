@@ -12,6 +12,7 @@ namespace {
 using Channels = std::vector<std::vector<std::string>>;
 
 const Channels kRgb = {{"R", "G", "B"}};
+const std::vector<std::string> kColorWords = {"color", "colour", "image"};
 const std::vector<std::string> kMotionWords = {"motion", "velocity", "flow", "mv", "vector"};
 const std::vector<std::string> kDepthWords = {"depth"};
 
@@ -53,25 +54,31 @@ ImportPreset Unreal() {
   return preset;
 }
 
-ImportPreset Unity() {
+// Buffers of an engine in files of their own: colour, depth and motion by words in their paths.
+ImportPreset Buffers(std::string_view name, std::string_view purpose,
+                     std::vector<std::string> color_words) {
   ImportPreset preset;
-  preset.name = "unity";
-  preset.purpose = "AOV images of the Recorder: beauty, depth, motion vectors";
-  preset.color = {kRgb, {"beauty", "color", "colour", "image"}};
+  preset.name = name;
+  preset.purpose = purpose;
+  preset.color = {kRgb, std::move(color_words)};
   preset.depth = {{{"Z"}, {"R"}, {"Y"}}, kDepthWords};
-  preset.motion = {{{"R", "G"}, {"X", "Y"}}, kMotionWords};
+  preset.motion = {{{"X", "Y"}, {"R", "G"}}, kMotionWords};
+  return preset;
+}
+
+ImportPreset Unity() {
+  ImportPreset preset =
+      Buffers("unity", "AOV images of the Recorder: beauty, depth, motion vectors",
+              {"beauty", "color", "colour", "image"});
+  preset.motion.channels = {{"R", "G"}, {"X", "Y"}};
   preset.motion_stream.units = MotionUnits::kNdc;
   preset.motion_stream.y = YAxis::kUp;
   return preset;
 }
 
 ImportPreset Fsr() {
-  ImportPreset preset;
-  preset.name = "fsr";
-  preset.purpose = "inputs of FSR: motion in pixels from this frame to the one before";
-  preset.color = {kRgb, {"color", "colour", "image"}};
-  preset.depth = {{{"Z"}, {"R"}, {"Y"}}, kDepthWords};
-  preset.motion = {{{"X", "Y"}, {"R", "G"}}, kMotionWords};
+  ImportPreset preset = Buffers(
+      "fsr", "inputs of FSR: motion in pixels from this frame to the one before", kColorWords);
   preset.motion_stream.direction = MotionDirection::kCurrentToPrevious;
   return preset;
 }
@@ -79,13 +86,9 @@ ImportPreset Fsr() {
 // Godot 4: motion in UV from this frame to the one before (velocity buffer), depth reversed from
 // version 4.3 on.
 ImportPreset Godot() {
-  ImportPreset preset;
-  preset.name = "godot";
-  preset.purpose = "buffers of Godot 4.3 and later: velocity in UV, reversed depth";
-  preset.color = {kRgb, {"color", "colour", "image"}};
-  preset.depth = {{{"Z"}, {"R"}, {"Y"}}, kDepthWords};
+  ImportPreset preset = Buffers(
+      "godot", "buffers of Godot 4.3 and later: velocity in UV, reversed depth", kColorWords);
   preset.depth_stream.kind = DepthKind::kReversed;
-  preset.motion = {{{"X", "Y"}, {"R", "G"}}, kMotionWords};
   preset.motion_stream.units = MotionUnits::kUv;
   preset.motion_stream.direction = MotionDirection::kCurrentToPrevious;
   return preset;

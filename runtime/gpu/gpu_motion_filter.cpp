@@ -43,7 +43,7 @@ MotionFilterPasses::MotionFilterPasses(float limit, const InputConventions& conv
   }
   filter_ = workspace.AddPass(plan);
   numbers_ = {.size = {0, 0},
-              .motion_scale = {conventions.motion_scale_x, conventions.motion_scale_y},
+              .motion_scale = MotionScaleOf(conventions),
               .depth_a = conventions.depth_a,
               .depth_b = conventions.depth_b,
               .limit = limit,

@@ -100,8 +100,8 @@ std::string WhyNoJitterError(const Sequence& sequence, int first, int count) {
   int longest = 0, begin = first;
   for (int index = first + 1; index <= first + count; ++index) {
     const bool ends =
-        index == first + count || std::find(sequence.cuts.begin(), sequence.cuts.end(),
-                                            sequence.first + index) != sequence.cuts.end();
+        index == first + count ||
+        std::binary_search(sequence.cuts.begin(), sequence.cuts.end(), sequence.Number(index));
     if (!ends) continue;
     longest = std::max(longest, index - begin - 1);
     begin = index;

@@ -8,6 +8,8 @@
 namespace warplut {
 namespace {
 
+constexpr float kOpaque = 65535;
+
 // The clip with its alpha in the place of its colour while the object lives.
 class AlphaAsColor {
  public:
@@ -40,6 +42,13 @@ class AlphaAsColor {
 };
 
 }  // namespace
+
+Image ToImage(const ShownAlpha& alpha, int width, int height) {
+  Image image(width, height, 1);
+  std::transform(alpha.begin(), alpha.end(), image.data.begin(),
+                 [](std::uint16_t value) { return static_cast<float>(value) / kOpaque; });
+  return image;
+}
 
 Streams AlphaStreamOf(const Sequence& sequence, const MethodInfo& method) {
   const Streams available = AvailableStreams(sequence);

@@ -25,13 +25,6 @@ ShownFormat FormatOf(const RunRequest& request, const Sequence& sequence) {
   return request.format == "exr" ? ShownFormat::kExr : ShownFormat::kPng;
 }
 
-Image ToImage(const ShownAlpha& alpha, const ImageView& of) {
-  Image image(of.width, of.height, 1);
-  std::transform(alpha.begin(), alpha.end(), image.data.begin(),
-                 [](std::uint16_t value) { return static_cast<float>(value) / kOpaque; });
-  return image;
-}
-
 double ShownFrames(const ModeRunOptions& options, int count) {
   const int rendered = (count - 1) / options.every + 1;
   if (options.method->generation == Generation::kNone) return rendered;
@@ -142,7 +135,9 @@ ModeOutput ModeRunner::RunOne(const MethodInfo& method) {
   RunMode(clip, options, pool_, [&](const ShownFrame& shown) {
     ThrowIfInterrupted("run", "the frames that are written are whole");
     Image alpha;
-    if (has_alpha) alpha = ToImage(alphas.at(output.files.size()), shown.image);
+    if (has_alpha) {
+      alpha = ToImage(alphas.at(output.files.size()), shown.image.width, shown.image.height);
+    }
     WriteShownFrame(output.folder, first, hud.Over(shown), clip.encoding, format_,
                     has_alpha ? &alpha : nullptr);
     output.files.push_back(ShownFileName(first, shown.time, format_));

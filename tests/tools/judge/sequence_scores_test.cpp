@@ -157,6 +157,9 @@ TEST_F(SequenceScoresTest, TellsWhyThereIsNoErrorOfTheJitter) {
       "one");
   sequence.cuts = {sequence.first + 3};
   EXPECT_NE(WhyNoJitterError(sequence, 0, 6).find("and 2 follow"), std::string::npos);
+  sequence.numbers = {10, 20, 21, 30, 31, 32};  // the cut is a number, not an index
+  sequence.cuts = {30};
+  EXPECT_NE(WhyNoJitterError(sequence, 0, 6).find("and 2 follow"), std::string::npos);
   sequence.jitter.clear();
   EXPECT_EQ(WhyNoJitterError(sequence, 0, 6), "the jitter of its 6 frames has no whole cycle");
 }
